@@ -66,6 +66,18 @@ TEST_CASE("the file of a run has the pressure of its flow; without flow there is
     CHECK(runTalus({"replay", wet + ".mcap", "-o", page, "--every", "2", "--quiet"}).exit_code == 0);
 }
 
+TEST_CASE("a file of coupled flow has no pressure: that of the stated apertures does not act") {
+    const TemporaryFolder folder;
+    std::string text = boxText(kFlow);
+    text.insert(text.find("aperture = "), "coupled = true\n");
+    const std::string scenario = folder.write("coupled.toml", text), file = folder / "coupled.mcap";
+    const Outcome outcome = runTalus({"run", scenario, "-o", file, "--quiet"});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK_FALSE(headerIn(file).flow.has_value());
+    CHECK(runTalus({"replay", file, "-o", folder / "coupled.html", "--quiet"}).exit_code == 0);
+}
+
 TEST_CASE("the failure that a search keeps has the pressure of its flow") {
     const TemporaryFolder folder;
     const std::string kept = folder / "kept.mcap";
