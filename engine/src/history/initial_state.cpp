@@ -121,7 +121,7 @@ InitialState findStart(State& state, const Control& control, bool parallel) {
     if (comesToRest(state, control, parallel, coupled ? &*coupled : nullptr)) {
         giveBack(std::move(built), state);
         if (coupled)
-            for (std::string& doubt : checks::ofCoupling(*coupled, coupled->coupling(state), *model->flow))
+            for (std::string& doubt : checks::ofCoupling(*coupled, state))
                 state.warnings.push_back(std::move(doubt));
         return InitialState::equilibrium;
     }
