@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <memory>
+
 #include "support/flows.h"
 #include "support/models.h"
 #include "talus/analysis.h"
@@ -256,6 +258,50 @@ TEST_CASE("coupled flow: analyses without an equilibrium say that apertures are 
     const auto limit = limitAnalysis(model, Varied::factor);
     REQUIRE(limit.ok());
     CHECK(says(limit->warnings, "flow.coupled: joints do not open here"));
+}
+
+TEST_CASE("coupled flow: a history without an equilibrium to begin with is refused") {
+    Model model = blockOnJoint(4e8, radians(20), 1.2, 15);
+    const auto failing = run(model, {}, {});
+    REQUIRE_FALSE(failing.ok());
+    CHECK(failing.errors().front().field == "flow.coupled");
+    CHECK(failing.errors().front().message.starts_with("found no equilibrium that the history begins with"));
+    CHECK_FALSE(Simulation::begin(std::make_shared<const Model>(model)).ok());
+    model = blockOnJoint(4e8, radians(10), 1.2, 40);
+    addBox(model, "above", {0, 0, 3}, {0.2, 0.2, 0.2});
+    const auto loose = run(model, {}, {});
+    REQUIRE_FALSE(loose.ok());
+    CHECK(loose.errors().front().field == "flow.coupled");
+    CHECK(loose.errors().front().message.find("\"above\" touches no other block") != std::string::npos);
+}
+
+TEST_CASE("coupled flow: a mesh too coarse for the opening of a joint, and a capped aperture, are said") {
+    Model model = blockOnJoint(4e8, radians(20), 1.0);
+    model.flow->refinements = 0;
+    const auto coarse = safetyFactor(model, {.interval = false});
+    REQUIRE(coarse.ok());
+    CHECK(says(coarse->warnings, "flow.refinements: found 0, at which apertures"));
+    CHECK(says(coupledSolved(model).warnings, "flow.refinements: found 0"));
+    model.flow->refinements = 4;
+    const auto fine = safetyFactor(model, {.interval = false});
+    REQUIRE(fine.ok());
+    CHECK_FALSE(says(fine->warnings, "flow.refinements"));
+    CHECK_FALSE(says(fine->warnings, "flow.aperture"));
+    model = blockOnJoint(4e8, radians(20), 1.0);
+    model.flow->aperture = 1e-6;
+    model.flow->coupling_passes = 300;
+    CHECK(says(coupledSolved(model).warnings, "times their stated aperture in the last equilibrium"));
+}
+
+TEST_CASE("coupled flow: a joint that drains as it is tilted slides at its angle of friction") {
+    Model model = blockOnJoint(4e8, 0, 1.2);
+    model.flow->refinements = 2;
+    model.flow->free_surface = true;
+    model.flow->boundaries[0].kind = FlowBoundary::Kind::outlet;
+    const auto angle = criticalAngle(model, {.interval = false});
+    REQUIRE(angle.ok());
+    CHECK(angle->answer == doctest::Approx(radians(30)).epsilon(1e-3));
+    CHECK(angle->flow_coupling->converged);
 }
 
 TEST_CASE("coupled flow: what does not converge within its passes says so") {

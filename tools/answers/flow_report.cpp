@@ -153,7 +153,7 @@ Json flowJson(const SteadyFlow& flow, const Common& common, const formats::Scena
 std::string flowCsv(const SteadyFlow& flow, const Model& model, const std::string& comments) {
     std::string out = comments +
                       "x_m,y_m,z_m,block_a,block_b,joint,head_m,pressure_pa,wet_share,discharge_x_m2_s,"
-                      "discharge_y_m2_s,discharge_z_m2_s\n";
+                      "discharge_y_m2_s,discharge_z_m2_s,aperture_m\n";
     const auto block = [&](std::int32_t b) -> const std::string& {
         return model.blocks[static_cast<std::size_t>(b)].name;
     };

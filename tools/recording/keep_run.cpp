@@ -146,10 +146,10 @@ void FailureKeeper::play(const FailingState& failing, KeptRun& kept, const Contr
     };
     const double far_enough = options_.seconds ? kInfinity : failing.block_size;
     auto outcome = runFailing(as_it_fails_.model, control, output, failing, far_enough);
-    kept.file = options_.file;
     recorder_->finish(outcome);
-    kept.bytes = recorder_->bytes();
     kept.run = valueOf(std::move(outcome), as_it_fails_);
+    kept.file = options_.file;
+    kept.bytes = recorder_->bytes();
     const auto& flow = as_it_fails_.model.flow;
     if (flow && !flow->coupled && load.varied == Varied::tilt)
         kept.run.warnings.emplace_back(
@@ -177,9 +177,9 @@ KeptRun FailureKeeper::keep(const SearchResult& result, const LoadSearch& search
     } catch (const FileRefused& refused) {
         kept.exit_code = kFileRefused, kept.reason = refused.what();
     } catch (const BadInput& bad) {
-        kept.exit_code = kInternalError, kept.reason = formats::format(bad.errors.front());
+        kept.exit_code = kBadInput, kept.reason = formats::format(bad.errors.front());
     }
-    if (kept.exit_code == kFileRefused || kept.exit_code == kInternalError)
+    if (kept.exit_code == kFileRefused || kept.exit_code == kBadInput)
         note(run_options_.common, "error: the failing run is not kept: " + kept.reason);
     kept.scenario = as_it_fails_;
     if (!kept.last.displacement.x.empty()) findFarthest(kept);

@@ -101,8 +101,10 @@ formats::SnapshotWriter continued(formats::OutputFile file, std::size_t full) {
     return std::move(*writer);
 }
 
-/// Nothing where there is none: the run has reported that already.
+/// Nothing where there is none: the run has reported that already. Nor of coupled flow: its pressure is that
+/// of an equilibrium, and steadyFlow has the stated apertures.
 std::optional<formats::SnapshotFlow> pressureOfFlow(const Model& model) {
+    if (model.flow->coupled) return std::nullopt;
     const auto flow = steadyFlow(model);
     if (!flow) return std::nullopt;
     return formats::flowOf(*flow, model);

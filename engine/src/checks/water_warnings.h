@@ -26,9 +26,10 @@ std::optional<std::string> pushedByWater(const State& built, const std::vector<s
 /// run
 std::optional<std::string> pushedAway(const State& state);
 
-/// Of coupled flow: equilibria at which it did not converge, or was not found.
-std::vector<std::string> ofCoupling(const flow_water::CoupledFlow& coupled, const FlowCoupling& coupling,
-                                    const Flow& flow);
+/// Of coupled flow: equilibria at which it did not converge, or was not found; and at the last one a mesh too
+/// coarse for the joints' taper, and apertures that are capped.
+/// \param last  the last equilibrium, with its pressure
+std::vector<std::string> ofCoupling(const flow_water::CoupledFlow& coupled, const State& last);
 
 /// For an analysis that finds no equilibrium, where flow is coupled.
 inline constexpr const char* kNothingOpens = "joints do not open here";

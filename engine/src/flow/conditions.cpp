@@ -115,7 +115,8 @@ Result<Conditions> conditionsOf(const Network& network, const Flow& flow, const 
     for (std::size_t n = 0; n < count; ++n) conditions.elevation[n] = -down.dot(network.nodes[n] + origin);
     std::vector<Error> errors, drained;
     const Places places(network, origin);
-    // A tilt that is searched for may raise a boundary above its head, which drains it.
+    // A tilt that is searched for may raise a boundary above its head, which drains it; without any head left,
+    // the network is dry.
     const bool is_own = tilt == model.gravity.tilt;
     for (std::size_t k = 0; k < flow.boundaries.size(); ++k) {
         Extent reached;
@@ -131,7 +132,8 @@ Result<Conditions> conditionsOf(const Network& network, const Flow& flow, const 
             drained.push_back(std::move(*fault));
     }
     const auto& of = conditions.of;
-    if (errors.empty() && !model.is_remainder && std::find(of.begin(), of.end(), Condition::head) == of.end())
+    const bool has_head = std::find(of.begin(), of.end(), Condition::head) != of.end();
+    if (errors.empty() && !model.is_remainder && is_own && !has_head)
         errors.push_back({flow.field,
                           "found no place of the network with a head: every boundary lies above "
                           "its head; allowed: a head above the lowest place of its boundary"});

@@ -15,8 +15,9 @@ inline double transmissivity(double unit_weight, double aperture, double viscosi
     return unit_weight * aperture * aperture * aperture / (12 * viscosity);
 }
 
-// Of the stated aperture. A joint that has opened so far conducts a thousand times as much. The head along it
-// is level, and hardly changes any more.
+// Of the stated aperture. A joint that has opened so far conducts a thousand times as much. Where tighter
+// joints lie in series with it, the head along it is level, and hardly changes any more. Where it alone carries
+// the flow, the cap decides: results have a warning.
 inline constexpr double kMostOpened = 10;
 
 /// Hydraulic aperture of a joint that has opened or closed: b = b0 + u, but no less than the residual one.
@@ -28,6 +29,9 @@ inline constexpr double kMostOpened = 10;
 inline double hydraulicAperture(double stated, double opened, double residual_share) {
     return std::clamp(stated + opened, residual_share * stated, kMostOpened * stated);
 }
+
+/// Whether kMostOpened limits the aperture.
+inline bool isCapped(double stated, double opened) { return stated + opened > kMostOpened * stated; }
 
 /// Mean over a triangle of max(0, f), f linear with these values at the corners. With one corner of a sign,
 /// f^3 / (3 (f - g) (f - h)) is the mean over that corner's side of the zero line.

@@ -21,12 +21,14 @@ struct Displacement {
 
 std::vector<double> openings(const State& state, const Network& network) {
     std::vector<double> opened;
-    opened.reserve(network.triangles.size());
+    opened.reserve(kPlaces * network.triangles.size());
     for (std::size_t t = 0; t < network.triangles.size(); ++t) {
         const Patch& patch = network.patch(t);
         const Displacement a(state, patch.block_a), b(state, patch.block_b);
-        const Vec3 x = (network.corner(t, 0) + network.corner(t, 1) + network.corner(t, 2)) / 3;
-        opened.push_back((a.turn * patch.normal).dot(b.at(x) - a.at(x)));
+        const Vec3 normal = a.turn * patch.normal;
+        const std::array<Vec3, 3> x{network.corner(t, 0), network.corner(t, 1), network.corner(t, 2)};
+        for (const Vec3& place : {Vec3((x[0] + x[1] + x[2]) / 3), x[0], x[1], x[2]})
+            opened.push_back(normal.dot(b.at(place) - a.at(place)));
     }
     return opened;
 }

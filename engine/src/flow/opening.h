@@ -7,13 +7,16 @@
 //
 // Reads: poses, initial poses
 
+#include <cstddef>
 #include <vector>
 
 #include "flow/network.h"
 
 namespace talus::flow {
 
-/// Of each triangle, at its centroid; closing is negative [m].
+inline constexpr std::size_t kPlaces = 4;  ///< of a triangle: its centroid, then its corners
+
+/// At the places of each triangle, triangle by triangle; closing is negative [m].
 std::vector<double> openings(const State& state, const Network& network);
 
 }  // namespace talus::flow

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "flow/cubic_law.h"
@@ -13,6 +14,21 @@ namespace talus::flow_water {
 namespace {
 
 constexpr double kLess = 0.5;  // of the share that is put in, where changes do not become smaller
+
+/// Of a triangle that carries water.
+/// \param opened  at its places, since its aperture was as stated [m]
+void add(double stated, std::span<const double, flow::kPlaces> opened, double residual_share,
+         ApertureDoubts& doubts) {
+    ++doubts.wet;
+    if (flow::isCapped(stated, opened[0])) ++doubts.capped;
+    doubts.most = std::max(doubts.most, 1 + opened[0] / stated);
+    double least = kInfinity, most = 0;
+    for (const double u : opened.last<flow::kPlaces - 1>()) {
+        const double b = flow::hydraulicAperture(stated, u, residual_share);
+        least = std::min(least, b), most = std::max(most, b);
+    }
+    doubts.taper = std::max(doubts.taper, most / least);
+}
 
 }  // namespace
 
@@ -39,12 +55,39 @@ double CoupledFlow::tiltOf(const State& state) const {
     return tilt_from_ ? std::max(*tilt_from_, state.load.tilt) : state.geometry->model.gravity.tilt;
 }
 
-std::vector<double> CoupledFlow::apertures(const State& state) const {
+std::vector<double> CoupledFlow::opened(const State& state) const {
     const std::vector<double>& before = state.coupled_pressure.stated_opening;
-    std::vector<double> apertures = flow::openings(state, network_);
+    std::vector<double> opened = flow::openings(state, network_);
+    for (std::size_t k = 0; k < opened.size(); ++k) opened[k] -= before[k];
+    return opened;
+}
+
+std::vector<double> CoupledFlow::apertures(const State& state) const {
+    const std::vector<double> change = opened(state);
+    std::vector<double> apertures(stated_.size());
     for (std::size_t t = 0; t < apertures.size(); ++t)
-        apertures[t] = flow::hydraulicAperture(stated_[t], apertures[t] - before[t], flow_.residual_share);
+        apertures[t] = flow::hydraulicAperture(stated_[t], change[flow::kPlaces * t], flow_.residual_share);
     return apertures;
+}
+
+/// Full joints conduct whatever their pressure; others where any corner is below the free surface.
+bool CoupledFlow::carriesWater(const State& state, std::size_t triangle) const {
+    return std::ranges::any_of(network_.triangles[triangle], [&](std::int32_t node) {
+        const double head = state.coupled_pressure.pressure_head[static_cast<std::size_t>(node)];
+        return head > 0 || (!flow_.free_surface && head != 0);
+    });
+}
+
+ApertureDoubts CoupledFlow::doubtsOf(const State& state) const {
+    ApertureDoubts doubts;
+    const std::size_t places = state.coupled_pressure.stated_opening.size();
+    if (places != flow::kPlaces * stated_.size() || !(state.load.water_share > 0)) return doubts;
+    const std::vector<double> change = opened(state);
+    for (std::size_t t = 0; t < stated_.size(); ++t)
+        if (carriesWater(state, t))
+            add(stated_[t], std::span(change).subspan(flow::kPlaces * t).first<flow::kPlaces>(),
+                flow_.residual_share, doubts);
+    return doubts;
 }
 
 Result<SteadyFlow> CoupledFlow::flowIn(const State& state) const {

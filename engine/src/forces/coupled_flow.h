@@ -24,6 +24,14 @@ namespace talus::flow_water {
 /// count as zero. 0 where there is no pressure.
 double pressureChange(const std::vector<double>& before, const std::vector<double>& after);
 
+/// How far one aperture for each triangle, and none above a cap, are true of the joints of a state.
+struct ApertureDoubts {
+    double taper = 1;        ///< of a wet triangle, at most: largest aperture at a corner over the smallest
+    std::size_t wet = 0;     ///< triangles that carry water
+    std::size_t capped = 0;  ///< of these, those whose aperture is the largest that counts
+    double most = 0;         ///< largest aperture over the stated one, had all counted
+};
+
 class CoupledFlow {
  public:
     /// \pre  the state as built, of a model whose flow is coupled
@@ -44,11 +52,15 @@ class CoupledFlow {
     Result<SteadyFlow> flowIn(const State& state) const;
 
     FlowCoupling coupling(const State& state) const;
+    /// None before apertures are taken as stated.
+    ApertureDoubts doubtsOf(const State& state) const;
     /// Why the flow of an equilibrium was not found; the pressure before was kept there.
     const std::optional<Error>& notFound() const { return not_found_; }
 
  private:
+    std::vector<double> opened(const State& state) const;  ///< at the places of flow::openings [m]
     std::vector<double> apertures(const State& state) const;
+    bool carriesWater(const State& state, std::size_t triangle) const;
     double tiltOf(const State& state) const;
     void putIn(State& state, SteadyFlow flow) const;
 

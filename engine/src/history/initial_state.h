@@ -3,6 +3,7 @@
 
 #include "state/arrays.h"
 #include "talus/control.h"
+#include "talus/result.h"
 #include "talus/simulation.h"
 
 namespace talus::history {
@@ -14,8 +15,8 @@ namespace talus::history {
 ///  - held: there is no such equilibrium; that with unbreakable joints, released at time 0;
 ///  - unstressed: as built, when asked for, without gravity, or when a free block touches nothing.
 /// Velocities and time are then those of the start. After an interruption discard the state: building it
-/// again takes no longer.
+/// again takes no longer. Errors: of coupled flow, where there is no equilibrium to begin with.
 /// \pre the state is as `buildState` gives it
-InitialState bringToStart(State& state, const Control& control, bool parallel);
+Result<InitialState> bringToStart(State& state, const Control& control, bool parallel);
 
 }  // namespace talus::history

@@ -70,12 +70,14 @@ class TimeHistory {
         if (output_.begin) geometry_ = geometryOf(state_);
     }
 
-    /// False when stopped: then there is no state to start from.
-    bool start() {
+    /// False when stopped: then there is no state to start from. Errors: as of history::bringToStart.
+    Result<bool> start() {
         progress_.step_safety = expectsImpacts(state_) ? kImpactStepSafety : kStepSafety;
         if (control_.progress) control_.progress({"start", 0.0, "weight and water are applied"});
-        start_ = history::bringToStart(state_, control_, parallel_);
+        const Result<InitialState> begun = history::bringToStart(state_, control_, parallel_);
         if (isStopped(control_)) return false;
+        if (!begun) return begun.errors();
+        start_ = *begun;
         state_.springs = Springs::keep_energy;
         shake();
         chooseTimeStep();
@@ -335,10 +337,7 @@ class TimeHistory {
     }
 
     std::string ofLostShear() const {
-        double mass = 0;
-        for (std::size_t b = 0; b < state_.blocks.size(); ++b)
-            if (state_.blocks.motion[b] == Motion::free) mass += 1 / state_.blocks.inverse_mass[b];
-        const double weight = mass * state_.geometry->model.gravity.magnitude;
+        const double weight = checks::freeMass(state_) * state_.geometry->model.gravity.magnitude;
         const std::string share =
             weight > 0 ? formatted(", %.2g times the weight of all free blocks", state_.shear_lost / weight)
                        : "";
@@ -427,8 +426,8 @@ Result<RunResult> run(const Model& model, const Control& control, const RunOutpu
         model, control, output,
         [&](TimeHistory& history) {
             if (resume != nullptr) return std::pair(history.resume(*resume), false);
-            const bool stopped = !history.start();
-            return std::pair(std::vector<Error>{}, stopped);
+            const Result<bool> begun = history.start();
+            return std::pair(begun.errors(), begun && !*begun);
         },
         resume);
 }
@@ -462,8 +461,9 @@ Result<Simulation> Simulation::begin(std::shared_ptr<const Model> model, const C
         const bool parallel = worthThreads(*built, control.threads);
         if (std::vector<Error> errors = look(*built, parallel); !errors.empty()) return errors;
         history->taken.emplace(std::move(*built), history->control, history->output, parallel);
-        if (!history->taken->start()) return {{"", "interrupted before the history began"}};
-        return {};
+        const Result<bool> begun = history->taken->start();
+        if (begun && !*begun) return {{"", "interrupted before the history began"}};
+        return begun.errors();
     });
     if (!errors.empty()) return errors;
     history->control = {};

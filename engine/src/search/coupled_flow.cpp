@@ -38,7 +38,7 @@ Result<SteadyFlow> Search::flowAtBeginning() {
     for (auto* blocks : {&flow->block_a, &flow->block_b})
         for (std::int32_t& block : *blocks) block = number[static_cast<std::size_t>(block)];
     flow->coupling = coupled_->coupling(state);
-    for (std::string& warning : checks::ofCoupling(*coupled_, *flow->coupling, *rest_->flow))
+    for (std::string& warning : checks::ofCoupling(*coupled_, state))
         flow->warnings.push_back(std::move(warning));
     return flow;
 }

@@ -86,8 +86,9 @@ void Search::finish(Course& course) {
 void Search::addCoupling(const Course& course) {
     if (!coupled_) return;
     const Followed& followed = course.followed;
-    result_.flow_coupling = coupled_->coupling(followed.stood ? followed.stood->state : course.path->state());
-    for (std::string& warning : checks::ofCoupling(*coupled_, *result_.flow_coupling, *rest_->flow))
+    const State& last = followed.stood ? followed.stood->state : course.path->state();
+    result_.flow_coupling = coupled_->coupling(last);
+    for (std::string& warning : checks::ofCoupling(*coupled_, last))
         result_.warnings.push_back(std::move(warning));
 }
 

@@ -227,7 +227,7 @@ struct ClosedWaters {
 
 /// Pressure of flow whose apertures follow the joints (forces/coupled_flow.h); empty where none does.
 struct CoupledPressure {
-    std::vector<double> stated_opening;  ///< of each triangle of the mesh: at which its aperture is as stated
+    std::vector<double> stated_opening;  ///< as of flow::openings, where apertures are as stated [m]
     std::vector<double> pressure_head;   ///< at each node of the mesh, as it acts [m]
     std::vector<double> push;            ///< six for each block, as in flow_water::ownPushes
     double change = 0;                   ///< of the pressure, as last computed, over the largest

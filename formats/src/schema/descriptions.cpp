@@ -34,8 +34,8 @@ constexpr Description kScenario[] = {
     {"run.frame_interval_s", "time between two frames of the snapshot file"},
     {"run.watch", "names of blocks that the result and histories report"},
     {"run.start",
-     "\"equilibrium\" under weight and water if there is one (default), or \"unstressed\": weight and water "
-     "are applied at once"},
+     "\"equilibrium\" under weight and water if there is one (default; coupled flow needs one), or "
+     "\"unstressed\": weight and water are applied at once"},
 
     {"gravity", "magnitude and direction of gravity"},
     {"gravity.magnitude", "default 9.81"},

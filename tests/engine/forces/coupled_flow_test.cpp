@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <utility>
+
 #include "build/build.h"
 #include "forces/flow_water.h"
 #include "forces/sum.h"
@@ -129,4 +131,36 @@ TEST_CASE("coupled flow: a change of pressure is counted over the largest, and s
     CHECK(flow_water::pressureChange({1, 2, -3}, {1, 2.5, -7}) == doctest::Approx(0.2));
     CHECK(flow_water::pressureChange({-1, -2}, {-3, -4}) == 0);
     CHECK(flow_water::pressureChange({4, 0}, {0, 0}) == 1);
+}
+
+TEST_CASE("coupled flow: the taper of a triangle, by hand, falls with the mesh") {
+    // 1e-4 m at x = 0 and 2e-4 m at x = 4: triangles meet at x = 2 and reach from there to both ends.
+    for (const auto& [refinements, taper] : {std::pair(0, 2.0), std::pair(1, 1.5), std::pair(2, 1.25)}) {
+        CAPTURE(refinements);
+        State state = coupledState(refinements);
+        flow_water::CoupledFlow coupled(state);
+        CHECK(coupled.doubtsOf(state).taper == 1);  // no apertures as stated yet
+        coupled.takeAsStated(state);
+        CHECK(coupled.doubtsOf(state).taper == 1);
+        openAtEnd(state, 1e-4);
+        const flow_water::ApertureDoubts found = coupled.doubtsOf(state);
+        CHECK(found.taper == doctest::Approx(taper).epsilon(1e-4));
+        CHECK(found.capped == 0);
+        CHECK(found.wet == state.coupled_pressure.stated_opening.size() / 4);
+    }
+}
+
+TEST_CASE("coupled flow: joints that open to more than ten times the stated aperture are counted") {
+    State state = coupledState();
+    flow_water::CoupledFlow coupled(state);
+    coupled.takeAsStated(state);
+    openAtEnd(state, 40e-4);  // 1 + 10 x times: 7.7 at the centroid x = 2/3, 21 at 2 (twice), 34.3 at 10/3
+    flow_water::ApertureDoubts found = coupled.doubtsOf(state);
+    CHECK(found.wet == 4);
+    CHECK(found.capped == 3);
+    CHECK(found.most == doctest::Approx(1 + 100.0 / 3).epsilon(1e-4));
+    for (double& head : state.coupled_pressure.pressure_head) head = 0;
+    found = coupled.doubtsOf(state);  // no water
+    CHECK(found.wet == 0);
+    CHECK(found.capped == 0);
 }

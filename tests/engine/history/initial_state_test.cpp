@@ -97,7 +97,7 @@ TEST_SUITE("history") {
         Model model = boxAt(10);
         model.blocks[1].velocity = {0.1, 0, 0};
         State state = *buildState(model, false);
-        CHECK((history::bringToStart(state, Control{}, false) == InitialState::equilibrium));
+        CHECK((*history::bringToStart(state, Control{}, false) == InitialState::equilibrium));
         CHECK(state.blocks.velocity.get(1) == Vec3(0.1, 0, 0));
         CHECK(state.time == 0);
         CHECK(state.step == 0);
@@ -107,7 +107,7 @@ TEST_SUITE("history") {
     TEST_CASE("without an equilibrium all but the poses is as built") {
         const State built = *buildState(boxAt(40), false);
         State state = built;
-        CHECK((history::bringToStart(state, Control{}, false) == InitialState::held));
+        CHECK((*history::bringToStart(state, Control{}, false) == InitialState::held));
         CHECK(state.blocks.position != built.blocks.position);
         state.blocks.position = built.blocks.position;
         state.blocks.orientation = built.blocks.orientation;
@@ -117,7 +117,7 @@ TEST_SUITE("history") {
     TEST_CASE("interrupted: nothing is built anew") {
         const std::atomic<bool> stop{true};
         State state = *buildState(boxAt(29), false);
-        CHECK((history::bringToStart(state, Control{.stop = &stop}, false) == InitialState::unstressed));
+        CHECK((*history::bringToStart(state, Control{.stop = &stop}, false) == InitialState::unstressed));
         const auto again = buildState(boxAt(29), false, Control{.stop = &stop});
         REQUIRE_FALSE(again.ok());
         CHECK(again.errors()[0].message.find("interrupted") != std::string::npos);

@@ -54,6 +54,11 @@ TEST_CASE("flow: files for ParaView, of a table, of a picture") {
                       static_cast<std::size_t>(std::count(table.begin(), table.end(), '#'));
     CHECK(rows == triangles + 1);
     CHECK(table.find("pressure_pa") != std::string::npos);
+    const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
+    const std::size_t names = table.find("x_m,"), values = table.find('\n', names) + 1;
+    CHECK(table.substr(names, values - 1 - names).ends_with(",aperture_m"));
+    CHECK(commas(table.substr(names, values - names)) ==
+          commas(table.substr(values, table.find('\n', values) - values)));
     CHECK(drawing.find("<svg") != std::string::npos);
     CHECK(poly.find("NumberOfPolys=\"" + std::to_string(triangles) + "\"") != std::string::npos);
     for (const char* name : {"head", "pressure", "discharge", "wet_share"})

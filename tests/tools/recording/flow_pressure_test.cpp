@@ -66,6 +66,18 @@ TEST_CASE("the file of a run has the pressure of its flow; without flow there is
     CHECK(runTalus({"replay", wet + ".mcap", "-o", page, "--every", "2", "--quiet"}).exit_code == 0);
 }
 
+TEST_CASE("a file of coupled flow has no pressure: that of the stated apertures does not act") {
+    const TemporaryFolder folder;
+    std::string text = boxText(kFlow);
+    text.insert(text.find("aperture = "), "coupled = true\n");
+    const std::string scenario = folder.write("coupled.toml", text), file = folder / "coupled.mcap";
+    const Outcome outcome = runTalus({"run", scenario, "-o", file, "--quiet"});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK_FALSE(headerIn(file).flow.has_value());
+    CHECK(runTalus({"replay", file, "-o", folder / "coupled.html", "--quiet"}).exit_code == 0);
+}
+
 TEST_CASE("the failure that a search keeps has the pressure of its flow") {
     const TemporaryFolder folder;
     const std::string kept = folder / "kept.mcap";
@@ -77,6 +89,39 @@ TEST_CASE("the failure that a search keeps has the pressure of its flow") {
     const formats::SnapshotHeader header = headerIn(kept);
     REQUIRE(header.flow.has_value());
     CHECK(*std::max_element(header.flow->pressure.begin(), header.flow->pressure.end()) > 1e4);
+}
+
+TEST_CASE("coupled flow: the failure that a search keeps plays, whose own history has no beginning") {
+    const TemporaryFolder folder;
+    std::string text = boxText(kFlow + "[gravity]\ntilt_deg = 35\n");
+    text.insert(text.find("aperture = "), "coupled = true\n");
+    const std::string scenario = folder.write("coupled.toml", text), kept = folder / "kept.mcap";
+    const Outcome refused = runTalus({"run", scenario, "-o", folder / "run.mcap", "--quiet"});
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.err.find("flow.coupled: found no equilibrium") != std::string::npos);
+    const Outcome outcome = runTalus(
+        {"safety-factor", scenario, "--keep-run", kept, "--keep-run-time", "0.01", "--json", "--quiet"});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(outcome.json().at("kept_run").at("frames") > 1);
+    CHECK(runTalus({"replay", kept, "--verify", "--quiet"}).exit_code == 0);
+}
+
+TEST_CASE("coupled flow: a failure at a tilt that has drained is found, and its kept run refused") {
+    const TemporaryFolder folder;
+    const std::string kept = folder / "kept.mcap";
+    const std::string scenario = folder.write(
+        "drained.toml", boxText("[flow]\naperture = 1e-4\ncoupled = true\n"
+                                "[[flow.boundary]]\nname = \"low\"\nface = \"-x\"\noutlet = true\n"
+                                "[[flow.boundary]]\nname = \"high\"\nface = \"+x\"\nhead = 0.5\n"));
+    const Outcome outcome =
+        runTalus({"critical-angle", scenario, "--keep-run", kept, "--no-range", "--json", "--quiet"});
+    CAPTURE(outcome.err);
+    CHECK(outcome.exit_code == 2);
+    const auto found = outcome.json();
+    CHECK(found.at("critical_angle_deg").get<double>() == doctest::Approx(30).epsilon(1e-3));
+    CHECK(found.at("kept_run").at("file").is_null());
+    CHECK(found.at("kept_run").at("reason").get<std::string>().find("above its head") != std::string::npos);
 }
 
 TEST_CASE("the failing run of a search over tilt says that its flow is that of the failing tilt") {
