@@ -215,6 +215,20 @@ TEST_SUITE("physics") {
         CHECK(result->warnings.empty());  // each time has its own strength
     }
 
+    TEST_CASE("strength over time: a storm finds the least factor at an entry between two steps") {
+        Thaw thaw;
+        thaw.table = {{0, 1}, {900, 0.3}, {1800, 1}, {7200, 0.9}};
+        const auto result = storm(thaw.model(), {.step = 600});
+        REQUIRE(result.ok());
+        CHECK(result->points.size() == 14);
+        REQUIRE(result->least);
+        const StormPoint& least = result->points[*result->least];
+        CHECK(least.time == 900);
+        CHECK(least.factor == doctest::Approx(thaw.factorAt(0.3)).epsilon(0.002));
+        REQUIRE(result->failure_time);
+        CHECK(*result->failure_time == doctest::Approx(900 / 0.7 * (1 - 1 / thaw.factorAt(1))).epsilon(0.01));
+    }
+
     TEST_CASE(
         "strength over time: two joints that change each have a column in a storm, equal ones share it") {
         Thaw thaw;
