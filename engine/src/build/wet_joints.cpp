@@ -15,6 +15,7 @@
 #include "geometry/face_frame.h"
 #include "measure/words.h"
 #include "state/point_layout.h"
+#include "talus/wet_joint_name.h"
 
 namespace talus {
 namespace {
@@ -103,7 +104,7 @@ Joint wetted(const Joint& dry, long steps) {
     const double share = static_cast<double>(steps) / kWetSteps;
     Joint wet = strengthened(dry, 1 - share * (1 - dry.wet_strength_factor));
     wet.wet_strength_factor = 1;
-    wet.name += "@" + formatted("%g", share) + "wet";
+    wet.name = WetJointName{dry.name, share}.text();
     return wet;
 }
 
