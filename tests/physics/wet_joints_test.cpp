@@ -138,6 +138,33 @@ TEST_SUITE("physics") {
             }
     }
 
+    TEST_CASE("wet joints: of two faces' joints the weaker one counts, as wet as it is") {
+        for (const double share : {0.2, 0.6, 1.0})
+            for (const bool first : {false, true}) {
+                CAPTURE(share);
+                CAPTURE(first);
+                WetSlab slab;
+                slab.share = share;
+                slab.cohesion = 0;
+                slab.wet_strength = 0.5;  // 35 deg fall below 30 deg where 35 % are wet
+                Model model = slab.model();
+                Joint dry = joint(30);
+                dry.name = "dry";
+                model.joints.push_back(dry);
+                model.blocks[first ? 0 : 1].face_joint.assign(6, 1);
+                WetSlab weaker = slab;
+                if (share < 0.35) weaker.friction_deg = 30, weaker.wet_strength = 1;
+                CHECK(factorOf(model) == doctest::Approx(weaker.factor()).epsilon(2e-3));
+                const auto keys = keyBlocks(model);
+                REQUIRE(keys.ok());
+                CHECK(keys->blocks.at(0).sliding.factor == doctest::Approx(weaker.factor()).epsilon(1e-6));
+                model.pair_joints = {{0, 1, 1, true, "interface[0]"}};
+                WetSlab given = slab;
+                given.friction_deg = 30, given.wet_strength = 1;
+                CHECK(factorOf(model) == doctest::Approx(given.factor()).epsilon(2e-3));
+            }
+    }
+
     TEST_CASE("wet joints: a critical acceleration, and strength that falls with time as well") {
         WetSlab slab;
         slab.cohesion = 0;
