@@ -94,7 +94,39 @@ TEST_CASE("storm: joints that lose strength over time, without water") {
     CHECK(contentOf(plot).find("factor of strength") != std::string::npos);
     const Outcome people = runTalus({"storm", slope, "--quiet"});
     CHECK(people.exit_code == 0);
-    CHECK(people.out.find("after 1.00 h, with 0.250 times the strength (") != std::string::npos);
+    CHECK(people.out.find("after 1.00 h, with 0.250 times the strength of default (") != std::string::npos);
+}
+
+TEST_CASE("storm: the line of the least factor names the joints whose strength is not 1, the least first") {
+    const TemporaryFolder folder;
+    std::string slope =
+        "[gravity]\ntilt_deg = 20.0\n[material.rock]\ndensity = 2700.0\n"
+        "[[block]]\nname = \"floor\"\nbox = { min = [-2, 0, -1], max = [9, 1, 0] }\nfixed = true\n";
+    int at = 0;
+    const auto add = [&](const std::string& joint, const std::string& last) {
+        slope += "[joint." + joint +
+                 "]\nnormal_stiffness = 1e10\nshear_stiffness = 1e10\nfriction_deg = 30.0\n"
+                 "strength_over_time = [[0, 1], [100, " +
+                 last + "]]\n";
+        if (joint == "default") return;
+        slope += "[[block]]\nname = \"on " + joint + "\"\njoint = \"" + joint + "\"\nbox = { min = [" +
+                 std::to_string(2 * at) + ", 0, 0], max = [" + std::to_string(2 * at + 1) + ", 1, 0.5] }\n";
+        ++at;
+    };
+    const auto least = [&] {
+        const Outcome people =
+            runTalus({"storm", folder.write("s.toml", slope), "--step-s", "50", "--quiet"});
+        CAPTURE(people.err);
+        REQUIRE(people.exit_code == 0);
+        return people.out;
+    };
+    add("default", "0.99");
+    add("clay", "0.4");
+    CHECK(least().find("h, with 0.400 times the strength of clay, 0.990 of default (") != std::string::npos);
+    add("ice", "0.7");
+    add("marl", "0.8");
+    CHECK(least().find("0.400 times the strength of clay, 0.700 of ice, 0.800 of marl and 1 more (") !=
+          std::string::npos);
 }
 
 TEST_CASE("storm: what it does not take") {
