@@ -256,6 +256,8 @@ TEST_SUITE("physics") {
         const auto refused = safetyFactor(model);
         REQUIRE_FALSE(refused.ok());
         CHECK(refused.errors()[0].field == "joint.default.dilation_deg");
+        CHECK(refused.errors()[0].message.starts_with(
+            "found 12 with a friction angle of 9.5266 at 1 s with 0.2 times the strength: "));
         model.joints[0].strength_over_time = {{0, 1}, {1, 0.5}};
         CHECK(safetyFactor(model).ok());
     }

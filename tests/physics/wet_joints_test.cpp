@@ -186,6 +186,20 @@ TEST_SUITE("physics") {
         CHECK(factorOf(model) == doctest::Approx(0.9 * slab.factor()).epsilon(2e-3));
     }
 
+    TEST_CASE("wet joints: dilation beyond the friction of a wet joint is refused, and says which joint") {
+        WetSlab slab;
+        slab.wet_strength = 0.5;
+        Model model = slab.model();
+        model.joints[0].dilation = radians(30);
+        const auto refused = safetyFactor(model);
+        REQUIRE_FALSE(refused.ok());
+        CHECK(refused.errors()[0].field == "joint.default.dilation_deg");
+        CHECK(refused.errors()[0].message.starts_with(
+            "found 30 with a friction angle of 29.2561 where 40 % of the joint is wet: "));
+        model.joints[0].dilation = radians(29);
+        CHECK(safetyFactor(model).ok());
+    }
+
     TEST_CASE("wet joints: a storm wets and dries them with its level") {
         WetSlab slab;
         Model model = slab.model();
