@@ -176,8 +176,9 @@ class StormSearch {
         const auto known =
             std::count_if(stands_.begin(), stands_.end(), [](const Stand& each) { return each.known; });
         const double done = static_cast<double>(known) / static_cast<double>(stands_.size());
-        const char* what = changing_.empty() ? "%.4g times the strength: " : "level %.4g m: ";
-        const std::string at = formatted(what, stand.values.front());
+        const char* what = changing_.empty() ? "least strength times %.4g: " : "level %.4g m: ";
+        const auto least = std::min_element(stand.values.begin(), stand.values.end());
+        const std::string at = formatted(what, changing_.empty() ? *least : stand.values.front());
         control.progress = [this, done, at](const Progress& progress) {
             control_.progress({"storm", done, at + progress.detail});
         };
