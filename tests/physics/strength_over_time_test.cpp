@@ -215,6 +215,20 @@ TEST_SUITE("physics") {
         CHECK(result->warnings.empty());  // each time has its own strength
     }
 
+    TEST_CASE("strength over time: a storm finds the least factor at an entry between two steps") {
+        Thaw thaw;
+        thaw.table = {{0, 1}, {900, 0.3}, {1800, 1}, {7200, 0.9}};
+        const auto result = storm(thaw.model(), {.step = 600});
+        REQUIRE(result.ok());
+        CHECK(result->points.size() == 14);
+        REQUIRE(result->least);
+        const StormPoint& least = result->points[*result->least];
+        CHECK(least.time == 900);
+        CHECK(least.factor == doctest::Approx(thaw.factorAt(0.3)).epsilon(0.002));
+        REQUIRE(result->failure_time);
+        CHECK(*result->failure_time == doctest::Approx(900 / 0.7 * (1 - 1 / thaw.factorAt(1))).epsilon(0.01));
+    }
+
     TEST_CASE(
         "strength over time: two joints that change each have a column in a storm, equal ones share it") {
         Thaw thaw;
@@ -242,6 +256,8 @@ TEST_SUITE("physics") {
         const auto refused = safetyFactor(model);
         REQUIRE_FALSE(refused.ok());
         CHECK(refused.errors()[0].field == "joint.default.dilation_deg");
+        CHECK(refused.errors()[0].message.starts_with(
+            "found 12 with a friction angle of 9.5266 at 1 s with 0.2 times the strength: "));
         model.joints[0].strength_over_time = {{0, 1}, {1, 0.5}};
         CHECK(safetyFactor(model).ok());
     }

@@ -138,6 +138,33 @@ TEST_SUITE("physics") {
             }
     }
 
+    TEST_CASE("wet joints: of two faces' joints the weaker one counts, as wet as it is") {
+        for (const double share : {0.2, 0.6, 1.0})
+            for (const bool first : {false, true}) {
+                CAPTURE(share);
+                CAPTURE(first);
+                WetSlab slab;
+                slab.share = share;
+                slab.cohesion = 0;
+                slab.wet_strength = 0.5;  // 35 deg fall below 30 deg where 35 % are wet
+                Model model = slab.model();
+                Joint dry = joint(30);
+                dry.name = "dry";
+                model.joints.push_back(dry);
+                model.blocks[first ? 0 : 1].face_joint.assign(6, 1);
+                WetSlab weaker = slab;
+                if (share < 0.35) weaker.friction_deg = 30, weaker.wet_strength = 1;
+                CHECK(factorOf(model) == doctest::Approx(weaker.factor()).epsilon(2e-3));
+                const auto keys = keyBlocks(model);
+                REQUIRE(keys.ok());
+                CHECK(keys->blocks.at(0).sliding.factor == doctest::Approx(weaker.factor()).epsilon(1e-6));
+                model.pair_joints = {{0, 1, 1, true, "interface[0]"}};
+                WetSlab given = slab;
+                given.friction_deg = 30, given.wet_strength = 1;
+                CHECK(factorOf(model) == doctest::Approx(given.factor()).epsilon(2e-3));
+            }
+    }
+
     TEST_CASE("wet joints: a critical acceleration, and strength that falls with time as well") {
         WetSlab slab;
         slab.cohesion = 0;
@@ -157,6 +184,20 @@ TEST_SUITE("physics") {
 
         model.joints[0].strength_over_time = {{0, 0.9}};
         CHECK(factorOf(model) == doctest::Approx(0.9 * slab.factor()).epsilon(2e-3));
+    }
+
+    TEST_CASE("wet joints: dilation beyond the friction of a wet joint is refused, and says which joint") {
+        WetSlab slab;
+        slab.wet_strength = 0.5;
+        Model model = slab.model();
+        model.joints[0].dilation = radians(30);
+        const auto refused = safetyFactor(model);
+        REQUIRE_FALSE(refused.ok());
+        CHECK(refused.errors()[0].field == "joint.default.dilation_deg");
+        CHECK(refused.errors()[0].message.starts_with(
+            "found 30 with a friction angle of 29.2561 where 40 % of the joint is wet: "));
+        model.joints[0].dilation = radians(29);
+        CHECK(safetyFactor(model).ok());
     }
 
     TEST_CASE("wet joints: a storm wets and dries them with its level") {

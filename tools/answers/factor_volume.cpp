@@ -9,6 +9,7 @@
 #include "cli/text.h"
 #include "report/csv.h"
 #include "report/svg.h"
+#include "talus/wet_joint_name.h"
 
 namespace talus::tools {
 
@@ -120,8 +121,9 @@ std::vector<const MovingGroup*> shownPoints(const KeyBlockResult& result) {
 
 std::string modeText(const Sliding& sliding) {
     if (sliding.mode == SlidingMode::falls) return sliding.direction.z() > 0 ? "is lifted" : "falls";
-    return (sliding.mode == SlidingMode::wedge ? "wedge on " : "slides on ") +
-           joined(sliding.joints, " and ");
+    std::vector<std::string> names;
+    for (const std::string& joint : sliding.joints) names.push_back(jointText(joint));
+    return (sliding.mode == SlidingMode::wedge ? "wedge on " : "slides on ") + joined(names, " and ");
 }
 
 }  // namespace talus::tools

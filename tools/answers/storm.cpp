@@ -69,13 +69,28 @@ Json originJson(const StormPoint& point) {
     return point.interpolated ? "interpolation" : "search";
 }
 
+/// ", with 0.400 times the strength of clay, 0.990 of ice": those that differ from 1, the least first.
+std::string strengthsText(const std::vector<std::string>& joints, const std::vector<double>& strengths) {
+    constexpr std::size_t kMost = 3;  // joints on a line; the table has all
+    std::vector<std::size_t> order;
+    for (std::size_t k = 0; k < strengths.size(); ++k)
+        if (strengths[k] != 1) order.push_back(k);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return strengths[a] < strengths[b]; });
+    std::string words;
+    for (std::size_t n = 0; n < std::min(order.size(), kMost); ++n)
+        words += (n == 0 ? ", with " : ", ") + text(strengths[order[n]], 3) +
+                 (n == 0 ? " times the strength of " : " of ") + joints[order[n]];
+    if (order.size() > kMost) words += " and " + std::to_string(order.size() - kMost) + " more";
+    return words;
+}
+
 std::string leastText(const StormResult& result) {
     if (!result.least) return result.interrupted ? "interrupted" : "undecided";
     const StormPoint& point = result.points[*result.least];
     std::string when = " after " + hours(point.time);
     if (!point.levels.empty()) when += ", at a level of " + text(point.levels.front(), 3) + " m";
-    if (!point.strengths.empty())
-        when += ", with " + text(point.strengths.front(), 3) + " times the strength";
+    when += strengthsText(result.joints, point.strengths);
     if (point.status == SearchStatus::unstable_at_start) return "unstable whatever the strength" + when;
     if (point.status == SearchStatus::stable_to_stop) return "stable at any factor that was tried";
     return text(point.factor, 4) + when + " (" + toString(point.mode) + ")";

@@ -51,6 +51,7 @@ class Design {
         question_.by == DesignedBy::pretension ? findPretension() : findNumber();
         if (interrupted_) design_.status = Status::interrupted;
         if (design_.enough) writeSets();
+        design_.warnings = deciding().warnings;
         design_.wall_seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return std::move(design_);
@@ -100,10 +101,11 @@ class Design {
                 progress.stage = "trial " + std::to_string(design_.trials.size() + 1) + ", " + progress.stage;
                 control_.progress(progress);
             };
-        const SearchResult result = valueOf(safetyFactor(model, control, {}), scenario_);
+        SearchResult result = valueOf(safetyFactor(model, control, {}), scenario_);
         trial.status = result.status;
         if (result.status == SearchStatus::found) trial.factor = result.answer;
         if (result.status == SearchStatus::stable_to_stop) trial.factor = kInfinity;
+        trial.warnings = std::move(result.warnings);
         interrupted_ = interrupted_ || result.status == SearchStatus::interrupted;
         design_.trials.push_back(trial);
         return trial;
@@ -258,6 +260,12 @@ class Design {
             if (isEnough(trial)) break;
         }
         return true;
+    }
+
+    /// The trial that the answer names, else the last one.
+    const SupportTrial& deciding() const {
+        if (design_.enough) return *design_.enough;
+        return design_.too_little ? *design_.too_little : design_.trials.back();
     }
 
     // --- what to write into the scenario
@@ -417,7 +425,7 @@ Json supportDesignJson(const SupportQuestion& question, const SupportDesign& des
             {"slice_width_m", design.width > 0 ? number(design.width) : Json(nullptr)},
             {"trials", trials},
             {"wall_seconds", number(design.wall_seconds)},
-            {"warnings", warningsJson(scenario)},
+            {"warnings", warningsJson(scenario, design.warnings)},
             {"provenance", provenance(common, scenario.path)}};
 }
 
@@ -440,6 +448,7 @@ std::string supportDesignText(const SupportQuestion& question, const SupportDesi
     for (const SupportTrial& trial : design.trials)
         lines += row(&trial == &design.trials.front() ? "trials" : "",
                      amount.text(trial) + ": " + factorText(trial));
+    for (const std::string& warning : design.warnings) lines += row("warning", warning);
     return lines + row("cost", std::to_string(design.trials.size()) + " searches, " +
                                    text(design.wall_seconds, 2) + " s");
 }

@@ -34,6 +34,7 @@ struct SupportTrial {
     double factor =
         0;  ///< infinite where it is stable up to the largest factor tried, 0 where it falls whatever the
             ///< strength
+    std::vector<std::string> warnings{};  ///< of its search
 };
 
 struct SupportDesign {
@@ -41,6 +42,7 @@ struct SupportDesign {
     Status status = Status::undecided;
     std::vector<SupportTrial> trials;
     std::optional<SupportTrial> enough, too_little;  ///< the least sufficient amount, and the next below it
+    std::vector<std::string> warnings;               ///< of the search that decides
     double yield_force = 0;                          ///< of the bolts, where they are alike; else 0 [N]
     double spacing_along = 0, spacing_up = 0;        ///< as the scenario has it [m]
     double width = 0, height = 0;                    ///< of the faces with the pattern, along and up [m]

@@ -41,7 +41,8 @@ Command addStorm(CLI::App& root) {
     StormRequest& request = options->request;
     CLI::App* app = root.add_subcommand("storm", "Factor of safety over a rain");
     addScenario(*app, options->scenario);
-    app->add_option("--step-s", request.settings.step, "Time between two factors of safety [s]")
+    app->add_option("--step-s", request.settings.step,
+                    "Time between two factors of safety; times of tables come between [s]")
         ->check(CLI::Range(1e-3, kLongest))
         ->capture_default_str();
     app->add_option(

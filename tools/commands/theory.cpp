@@ -11,6 +11,7 @@
 #include "cli/text.h"
 #include "commands/commands.h"
 #include "commands/theory_formulas.h"
+#include "talus/held.h"
 
 namespace talus::tools {
 
@@ -20,6 +21,8 @@ int ofScenario(const Common& common, const ScenarioInput& input) {
     const formats::Scenario scenario = loadScenario(input, common);
     const std::string path = input.name();
     const auto prediction = theory::predict(scenario.model);
+    std::vector<std::string> warnings;
+    if (prediction) warnings = heldAtTimeZero(scenario.model);
     if (common.json) {
         printJson({{"applies", prediction.has_value()},
                    {"theory_deg", prediction ? number(degrees(prediction->critical_tilt)) : Json(nullptr)},
@@ -27,11 +30,14 @@ int ofScenario(const Common& common, const ScenarioInput& input) {
                     !prediction ? Json(nullptr) : Json(prediction->topples ? "toppling" : "sliding")},
                    {"formula", prediction ? Json(prediction->formula) : Json(nullptr)},
                    {"applies_because", prediction ? Json(prediction->applies_because) : Json(nullptr)},
+                   {"warnings", warningsJson(scenario, warnings)},
                    {"provenance", provenance(common, path)}});
     } else if (prediction) {
+        std::string told;
+        for (const std::string& warning : warnings) told += "warning: " + warning + "\n";
         printResult(path + ": critical angle " + text(degrees(prediction->critical_tilt), 4) + " deg, " +
                     (prediction->topples ? "toppling" : "sliding") + "\n" + prediction->formula + "\n" +
-                    "applies because: " + prediction->applies_because + "\n");
+                    "applies because: " + prediction->applies_because + "\n" + told);
     } else {
         printResult(path + ": no closed formula applies\n");
     }

@@ -17,7 +17,7 @@
 namespace talus {
 
 struct StormSettings {
-    double step = 600;                 ///< between two times of the answer, more than 0 [s]
+    double step = 600;  ///< between two times of the answer, more than 0; times of tables come between [s]
     std::optional<double> duration{};  ///< more than 0 [s]; none: up to the end of the tables (stormDuration)
 };
 
@@ -56,7 +56,7 @@ std::optional<double> stormDuration(const Model& model);
 /// AnalysisSettings::factor_tolerance. The least factor and both sides of a fall below 1 are always searched
 /// for.
 /// Errors: those of safetyFactor, neither water nor strength that changes, no end, a step or a duration that
-/// is not positive and finite, more than kMostStormPoints.
+/// is not positive and finite, more than kMostStormPoints steps, or as many times again of tables.
 Result<StormResult> storm(const Model& model, const StormSettings& settings, const Control& control = {});
 
 inline constexpr std::size_t kMostStormPoints = 20000;  ///< two weeks, minute by minute

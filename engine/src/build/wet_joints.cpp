@@ -14,7 +14,9 @@
 #include "forces/wet_walls.h"
 #include "geometry/face_frame.h"
 #include "measure/words.h"
+#include "model/joint_pairs.h"
 #include "state/point_layout.h"
+#include "talus/wet_joint_name.h"
 
 namespace talus {
 namespace {
@@ -103,15 +105,39 @@ Joint wetted(const Joint& dry, long steps) {
     const double share = static_cast<double>(steps) / kWetSteps;
     Joint wet = strengthened(dry, 1 - share * (1 - dry.wet_strength_factor));
     wet.wet_strength_factor = 1;
-    wet.name += "@" + formatted("%g", share) + "wet";
+    wet.name = WetJointName{dry.name, share}.text();
     return wet;
 }
 
 /// Two faces of two blocks may share several interfaces.
 struct FacePair {
-    double area = 0, wet = 0;  ///< [m^2]
-    std::int32_t joint = 0;
+    double area = 0, wet = 0;            ///< [m^2]
+    std::vector<std::int32_t> joints{};  ///< that may count between them, in the order of the model
 };
+
+TwoFaces facesOf(const Interfaces& f, std::size_t i) {
+    return {static_cast<std::size_t>(f.block_a[i]), static_cast<std::size_t>(f.face_a[i]),
+            static_cast<std::size_t>(f.block_b[i]), static_cast<std::size_t>(f.face_b[i])};
+}
+
+/// The joint that the model gives to an interface, else those of both faces: water may weaken the stronger
+/// one to less than the other.
+std::vector<std::int32_t> candidates(const Model& model, const std::vector<PairJoint>& sorted,
+                                     const TwoFaces& faces) {
+    if (const auto given = givenJoint(sorted, faces)) return {*given};
+    const auto [first, second] = std::minmax(model.blocks[faces.block_a].face_joint[faces.face_a],
+                                             model.blocks[faces.block_b].face_joint[faces.face_b]);
+    return first == second ? std::vector{first} : std::vector{first, second};
+}
+
+/// The weakest of a pair's joints where so many thousandths of it are wet.
+std::int32_t weakestWhereWet(const Model& model, const FacePair& pair, long steps) {
+    const auto wet = [&](std::int32_t j) { return wetted(model.joints[static_cast<std::size_t>(j)], steps); };
+    std::int32_t weakest = pair.joints.front();
+    for (const std::int32_t joint : pair.joints)
+        if (isWeaker(wet(joint), wet(weakest))) weakest = joint;
+    return weakest;
+}
 
 }  // namespace
 
@@ -134,23 +160,30 @@ std::vector<double> wetShares(const State& built) {
     state.load.water_share = 1;
     updateBlockForces(state);
     std::vector<double> shares(state.interfaces.size(), 0.0);
-    const std::vector<Joint>& joints = state.geometry->model.joints;
-    for (std::size_t i = 0; i < shares.size(); ++i)
-        if (joints[static_cast<std::size_t>(state.interfaces.joint[i])].wet_strength_factor != 1)
-            shares[i] = wetShareOf(state, i);
+    const Model& model = state.geometry->model;
+    const std::vector<PairJoint> given = sortedByBlocks(model.pair_joints);
+    const auto is_weakened = [&](std::int32_t j) {
+        return model.joints[static_cast<std::size_t>(j)].wet_strength_factor != 1;
+    };
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        if (state.interfaces.kind[i] != InterfaceKind::faces) continue;
+        const std::vector<std::int32_t> joints = candidates(model, given, facesOf(state.interfaces, i));
+        if (std::any_of(joints.begin(), joints.end(), is_weakened)) shares[i] = wetShareOf(state, i);
+    }
     return shares;
 }
 
 Model withWetJoints(const Model& model, const State& built) {
     const Interfaces& f = built.interfaces;
     const std::vector<double> shares = wetShares(built);
+    const std::vector<PairJoint> given = sortedByBlocks(model.pair_joints);
     std::map<std::array<std::int32_t, 4>, FacePair> pairs;
     for (std::size_t i = 0; i < shares.size(); ++i) {
         if (f.kind[i] != InterfaceKind::faces) continue;
         FacePair& pair = pairs[{f.block_a[i], f.face_a[i], f.block_b[i], f.face_b[i]}];
         pair.area += f.area[i];
         pair.wet += shares[i] * f.area[i];
-        pair.joint = f.joint[i];
+        if (pair.joints.empty()) pair.joints = candidates(model, given, facesOf(f, i));
     }
     Model wet = model;
     std::vector<PairJoint> first;  // before those of the model: of several that fit the first counts
@@ -158,9 +191,12 @@ Model withWetJoints(const Model& model, const State& built) {
     for (const auto& [faces, pair] : pairs) {
         const long steps = std::lround(kWetSteps * pair.wet / pair.area);
         if (steps == 0) continue;
+        const std::int32_t joint = weakestWhereWet(model, pair, steps);
+        const Joint& dry = model.joints[static_cast<std::size_t>(joint)];
+        if (dry.wet_strength_factor == 1) continue;  // it counts between dry faces too
         const auto [place, is_new] =
-            made.try_emplace({pair.joint, steps}, static_cast<std::int32_t>(wet.joints.size()));
-        if (is_new) wet.joints.push_back(wetted(model.joints[static_cast<std::size_t>(pair.joint)], steps));
+            made.try_emplace({joint, steps}, static_cast<std::int32_t>(wet.joints.size()));
+        if (is_new) wet.joints.push_back(wetted(dry, steps));
         first.push_back({faces[0], faces[2], place->second, false, "", faces[1], faces[3]});
     }
     wet.pair_joints.insert(wet.pair_joints.begin(), first.begin(), first.end());

@@ -3,6 +3,7 @@
 //
 // Of an interface whose area is wet by a share s as built, all strengths are those of its joint times
 // 1 - s (1 - w): wet and dry parts count by their areas, as joint and intact rock do (J. E. Jennings, 1970).
+// Between faces of two joints the one counts that has less friction so weakened.
 // Such interfaces get joints of their own, so that searches, limit analysis and block theory see joints
 // alone. An area is wet where the pressure of a water, or of the water table, is more than nothing at the
 // model's tilt and at time 0. Analyses that move the water are refused.
@@ -22,7 +23,8 @@ bool hasWetJoints(const Model& model);
 /// refused
 std::optional<Error> refusedWetJoints(const Model& model, const char* by);
 
-/// Share of each interface of two faces that is wet, 0..1, to rounding; 0 for others.
+/// Share of each interface of two faces that is wet, 0..1, to rounding; 0 for others, and where none of the
+/// joints that may count there is weaker when wet.
 /// Reads: interfaces, walls of water, pieces of the water table; all of the state as built
 std::vector<double> wetShares(const State& built);
 

@@ -16,6 +16,7 @@
 #include "state/incidence.h"
 #include "step/time_step.h"
 #include "talus/angles.h"
+#include "talus/wet_joint_name.h"
 
 namespace talus::checks {
 namespace {
@@ -86,11 +87,29 @@ double largestFactor(const AppliedLoad& load) {
     return most;
 }
 
+/// The entry of its table at which a joint is weakest; nothing where it has no table.
+std::optional<LevelPoint> weakestTime(const Joint& joint) {
+    const auto& table = joint.strength_over_time;
+    const auto least = std::min_element(table.begin(), table.end(),
+                                        [](const auto& a, const auto& b) { return a.value < b.value; });
+    return least == table.end() ? std::nullopt : std::optional(*least);
+}
+
 double leastFriction(const Joint& joint) {
-    double least = joint.strength_over_time.empty() ? joint.friction : kInfinity;
-    for (const LevelPoint& point : joint.strength_over_time)
-        least = std::min(least, strengthAt(joint, point.time).friction);
-    return least;
+    const auto weakest = weakestTime(joint);
+    return weakest ? strengthAt(joint, weakest->time).friction : joint.friction;
+}
+
+/// Why a joint's least friction is not that of the scenario: " where 58.5 % of the joint is wet".
+std::string whyWeaker(const Joint& joint) {
+    std::string why;
+    if (const auto wet = readWetJointName(joint.name))
+        why += " where " + formatted("%.3g", 100 * wet->share) + " % of the joint is wet";
+    const auto weakest = weakestTime(joint);
+    if (!weakest || weakest->value == 1) return why;
+    // A storm holds one entry: its time is none of the scenario's.
+    if (joint.strength_over_time.size() > 1) why += " at " + formatted("%g", weakest->time) + " s";
+    return why + " with " + formatted("%g", weakest->value) + " times the strength";
 }
 
 /// A joint that dilates by more per slip than its friction resists gains work as it slides: it drives itself
@@ -104,8 +123,8 @@ std::vector<Error> dilatesTooMuch(const Model& model) {
             errors.push_back(
                 {fieldOf(joint, "dilation_deg"),
                  "found " + formatted("%g", degrees(joint.dilation)) + " with a friction angle of " +
-                     formatted("%g", degrees(friction)) +
-                     ": the joint would create energy as it slides, allowed: at most the friction angle"});
+                     formatted("%g", degrees(friction)) + whyWeaker(joint) +
+                     ": the joint would create energy as it slides, allowed: at most that friction angle"});
         }
     }
     return errors;

@@ -1,8 +1,11 @@
 #include "checks/strength_held.h"
 
 #include <set>
+#include <utility>
 
+#include "checks/closed_volumes.h"
 #include "measure/words.h"
+#include "talus/held.h"
 
 namespace talus::checks {
 
@@ -20,3 +23,9 @@ std::vector<std::string> strengthsHeld(const Model& model) {
 }
 
 }  // namespace talus::checks
+
+std::vector<std::string> talus::heldAtTimeZero(const Model& model) {
+    std::vector<std::string> lines = checks::levelsHeld(model);
+    for (std::string& line : checks::strengthsHeld(model)) lines.push_back(std::move(line));
+    return lines;
+}

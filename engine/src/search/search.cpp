@@ -8,16 +8,15 @@
 
 #include "build/build.h"
 #include "build/wet_joints.h"
-#include "checks/closed_volumes.h"
 #include "checks/loose_blocks.h"
 #include "checks/plausible.h"
-#include "checks/strength_held.h"
 #include "equilibrium/release.h"
 #include "measure/stopwatch.h"
 #include "search/search_run.h"
 #include "state/caller.h"
 #include "state/threads.h"
 #include "step/time_step.h"
+#include "talus/held.h"
 
 namespace talus::search {
 namespace {
@@ -97,8 +96,7 @@ std::vector<Error> Search::build() {
     if (takeOutOfModel(slivers, &slivers_)) return build();
     if (auto errors = checks::implausibleSearch(*built_, imbalance, bounds); !errors.empty()) return errors;
     for (std::string& doubt : checks::doubts(*built_)) built_->warnings.push_back(std::move(doubt));
-    for (auto held : {checks::levelsHeld, checks::strengthsHeld})
-        for (std::string& line : held(*rest_)) built_->warnings.push_back(std::move(line));
+    for (std::string& line : heldAtTimeZero(*rest_)) built_->warnings.push_back(std::move(line));
     warnOfLooseBlocks();
     stopDrivenBlocks();
     built_->searches_around = true;

@@ -176,8 +176,9 @@ class StormSearch {
         const auto known =
             std::count_if(stands_.begin(), stands_.end(), [](const Stand& each) { return each.known; });
         const double done = static_cast<double>(known) / static_cast<double>(stands_.size());
-        const char* what = changing_.empty() ? "%.4g times the strength: " : "level %.4g m: ";
-        const std::string at = formatted(what, stand.values.front());
+        const char* what = changing_.empty() ? "least strength times %.4g: " : "level %.4g m: ";
+        const auto least = std::min_element(stand.values.begin(), stand.values.end());
+        const std::string at = formatted(what, changing_.empty() ? *least : stand.values.front());
         control.progress = [this, done, at](const Progress& progress) {
             control_.progress({"storm", done, at + progress.detail});
         };
@@ -317,9 +318,36 @@ class StormSearch {
     std::vector<Error> errors_;
 };
 
-std::vector<double> timesUpTo(double duration, double step) {
+void takeTimes(const std::vector<LevelPoint>& table, std::vector<double>& times) {
+    for (const LevelPoint& point : table) times.push_back(point.time);
+}
+
+/// Of all tables that change within a storm, ascending [s]. A level or a strength is linear between them, so
+/// that its least and its greatest value stand at one of them.
+std::vector<double> tableTimes(const Model& model) {
     std::vector<double> times;
-    for (double k = 0; k * step < duration; ++k) times.push_back(k * step);
+    for (const Water& water : model.waters) {
+        if (water.level.size() > 1) takeTimes(water.level, times);
+        if (!water.closed) continue;
+        takeTimes(water.rain, times);
+        takeTimes(water.inflow, times);
+    }
+    for (const Joint& joint : model.joints)
+        if (changesStrength(joint)) takeTimes(joint.strength_over_time, times);
+    std::sort(times.begin(), times.end());
+    return times;
+}
+
+/// Multiples of the step, the times of the tables between them, and the end.
+std::vector<double> timesOf(const Model& model, double duration, double step) {
+    constexpr double kSameTime = 1e-9;  // of the step: k times 0.1 s rounds beside 0.3 s
+    std::vector<double> all = tableTimes(model), times;
+    for (double k = 0; k * step < duration; ++k) all.push_back(k * step);
+    std::sort(all.begin(), all.end());
+    for (const double time : all) {
+        const bool is_new = times.empty() || time - times.back() > kSameTime * step;
+        if (time >= 0 && duration - time > kSameTime * step && is_new) times.push_back(time);
+    }
     times.push_back(duration);
     return times;
 }
@@ -329,6 +357,14 @@ Error notPositive(const char* field, double found) {
 }
 
 bool isPositive(double value) { return value > 0 && std::isfinite(value); }
+
+// The multiples of the step, up to kMostStormPoints of them and the end, and as many times of tables.
+constexpr std::size_t kMostTimes = 2 * kMostStormPoints + 1;
+
+Error tooMany(std::size_t times) {
+    return {"duration", "found " + std::to_string(times) + " times, with those of the tables, allowed: " +
+                            std::to_string(kMostTimes) + "; shorten the tables or the duration"};
+}
 
 /// How long the storm lasts [s].
 Result<double> durationOf(const Model& model, const StormSettings& settings) {
@@ -376,7 +412,9 @@ Result<StormResult> storm(const Model& model, const StormSettings& settings, con
     const auto duration = durationOf(model, settings);
     if (!duration) return duration.errors();
     StormSearch search(model, control);
-    if (auto errors = search.fill(timesUpTo(*duration, settings.step)); !errors.empty()) return errors;
+    const std::vector<double> times = timesOf(model, *duration, settings.step);
+    if (times.size() > kMostTimes) return tooMany(times.size());
+    if (auto errors = search.fill(times); !errors.empty()) return errors;
     if (auto errors = search.search(); !errors.empty()) return errors;
     StormResult result = search.result();
     result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -62,7 +62,7 @@ TEST_SUITE("engine") {
     TEST_CASE("storm: levels and factors are those of the closed form, and it fails when that says so") {
         const StormSlope slope;
         const StormResult result = computed(slope.model(), {.step = 50});
-        REQUIRE(result.points.size() == 145);
+        REQUIRE(result.points.size() == 146);  // 3601 s, a time of the table, among them
         CHECK(result.waters == std::vector<std::string>{"water[0]"});
         for (const StormPoint& point : result.points) {
             CAPTURE(point.time);
@@ -129,6 +129,29 @@ TEST_SUITE("engine") {
         CHECK(*result.least == 2);
         CHECK(result.at_end.empty());
         CHECK_FALSE(result.failure_time);
+    }
+
+    TEST_CASE("storm: times of tables lie between those of the step, each once") {
+        const StormSlope slope;
+        Model model = slope.model();
+        Water& water = model.waters[0];
+        water.closed = false;
+        water.level = {{0, 0.1}, {90, 0.2}, {100, 0.1}, {200, 0.1}, {270, 0.1}};
+        const StormResult result = computed(model, {.step = 100, .duration = 250});
+        std::vector<double> times;
+        for (const StormPoint& point : result.points) times.push_back(point.time);
+        CHECK(times == std::vector<double>{0, 90, 100, 200, 250});
+        CHECK(*result.least == 1);
+        CHECK(result.points[1].levels[0] == 0.2);
+
+        water.level.clear();
+        for (std::size_t k = 0; k <= 2 * kMostStormPoints; ++k)
+            water.level.push_back({static_cast<double>(k), 0.1});
+        const auto refused = storm(model, {.step = 600.5});
+        REQUIRE_FALSE(refused.ok());
+        CHECK(refused.errors()[0].field == "duration");
+        CHECK(refused.errors()[0].message.find("with those of the tables, allowed: 40001") !=
+              std::string::npos);
     }
 
     TEST_CASE("storm: elevations that one has found can be given to another, as a table") {

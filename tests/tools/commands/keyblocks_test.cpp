@@ -77,6 +77,21 @@ TEST_CASE("keyblocks: blocks without a mode have no direction and no factor") {
     CHECK(found.at("moving_groups").empty());
 }
 
+TEST_CASE("keyblocks: a joint that is wet in part has its own name and the share for people") {
+    const TemporaryFolder folder;
+    const std::string slope = folder.write(
+        "wet.toml",
+        "[gravity]\ntilt_deg = 20.0\n[material.rock]\ndensity = 2700.0\n[joint.default]\n"
+        "normal_stiffness = 1e10\nshear_stiffness = 1e10\nfriction_deg = 35.0\nwet_strength_factor = 0.5\n"
+        "[[block]]\nname = \"floor\"\nbox = { min = [-2, 0, -1], max = [9, 1, 0] }\nfixed = true\n"
+        "[[block]]\nname = \"block\"\nbox = { min = [0, 0, 0], max = [1, 1, 0.5] }\n"
+        "[[water]]\nbetween = [\"floor\", \"block\"]\nelevation = 0.136808\n");
+    const std::string told = runTalus({"keyblocks", slope, "--quiet"}).out;
+    CAPTURE(told);
+    CHECK(told.find("slides on default (40 % wet)") != std::string::npos);
+    CHECK(told.find('@') == std::string::npos);
+}
+
 TEST_CASE("keyblocks: the text is a table that says what is not covered") {
     const Outcome outcome = runTalus({"keyblocks", kWedge, "--threads", "1", "--quiet"});
     CHECK(outcome.exit_code == 0);

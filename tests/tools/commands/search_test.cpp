@@ -206,7 +206,7 @@ TEST_CASE("a search that rounding would decide, or in which nothing holds, is re
     rising.insert(rising.find("friction_deg"), "dilation_deg = 25.0\n");
     const Outcome gaining = runTalus({"safety-factor", folder.write("rising.toml", rising)});
     CHECK(gaining.exit_code == 2);
-    CHECK(gaining.err.find("at most the friction angle") != std::string::npos);
+    CHECK(gaining.err.find("at most that friction angle") != std::string::npos);
 
     std::string loose = blockScenario(0, 20);
     loose.replace(loose.find("fixed = true"), 12, "fixed = false");

@@ -36,11 +36,12 @@ TEST_CASE("storm: as JSON, as a table of CSV and as a picture") {
     CHECK(json.at("status") == "found");
     CHECK(json.at("waters") == nlohmann::json::array({"water[0]"}));
     const auto& times = json.at("times");
-    REQUIRE(times.size() == 13);
+    REQUIRE(times.size() == 14);  // 1810 s, a time of the table, among them
     CHECK(times[0].at("time_s") == 0);
     CHECK(times[0].at("level_m") == 0);
-    CHECK(times[12].at("time_s") == 3600);
-    CHECK(times[6].at("level_m").get<double>() > times[12].at("level_m").get<double>());
+    CHECK(times[7].at("time_s") == 1810);
+    CHECK(times[13].at("time_s") == 3600);
+    CHECK(times[6].at("level_m").get<double>() > times[13].at("level_m").get<double>());
     CHECK(times[6].at("safety_factor").get<double>() < times[0].at("safety_factor").get<double>());
     const auto& least = json.at("least");
     for (const auto& point : times)
@@ -51,7 +52,7 @@ TEST_CASE("storm: as JSON, as a table of CSV and as a picture") {
     const std::string table = contentOf(csv);
     CHECK(table.find("\ntime_s,water[0].level_m,safety_factor,low,high,status,failure_mode,from\n") !=
           std::string::npos);
-    CHECK(std::count(table.begin(), table.end(), '\n') >= 14);
+    CHECK(std::count(table.begin(), table.end(), '\n') >= 15);
     const std::string drawn = contentOf(plot);
     CHECK(drawn.find("factor of safety") != std::string::npos);
     CHECK(drawn.find("water level (m)") != std::string::npos);
@@ -93,7 +94,39 @@ TEST_CASE("storm: joints that lose strength over time, without water") {
     CHECK(contentOf(plot).find("factor of strength") != std::string::npos);
     const Outcome people = runTalus({"storm", slope, "--quiet"});
     CHECK(people.exit_code == 0);
-    CHECK(people.out.find("after 1.00 h, with 0.250 times the strength (") != std::string::npos);
+    CHECK(people.out.find("after 1.00 h, with 0.250 times the strength of default (") != std::string::npos);
+}
+
+TEST_CASE("storm: the line of the least factor names the joints whose strength is not 1, the least first") {
+    const TemporaryFolder folder;
+    std::string slope =
+        "[gravity]\ntilt_deg = 20.0\n[material.rock]\ndensity = 2700.0\n"
+        "[[block]]\nname = \"floor\"\nbox = { min = [-2, 0, -1], max = [9, 1, 0] }\nfixed = true\n";
+    int at = 0;
+    const auto add = [&](const std::string& joint, const std::string& last) {
+        slope += "[joint." + joint +
+                 "]\nnormal_stiffness = 1e10\nshear_stiffness = 1e10\nfriction_deg = 30.0\n"
+                 "strength_over_time = [[0, 1], [100, " +
+                 last + "]]\n";
+        if (joint == "default") return;
+        slope += "[[block]]\nname = \"on " + joint + "\"\njoint = \"" + joint + "\"\nbox = { min = [" +
+                 std::to_string(2 * at) + ", 0, 0], max = [" + std::to_string(2 * at + 1) + ", 1, 0.5] }\n";
+        ++at;
+    };
+    const auto least = [&] {
+        const Outcome people =
+            runTalus({"storm", folder.write("s.toml", slope), "--step-s", "50", "--quiet"});
+        CAPTURE(people.err);
+        REQUIRE(people.exit_code == 0);
+        return people.out;
+    };
+    add("default", "0.99");
+    add("clay", "0.4");
+    CHECK(least().find("h, with 0.400 times the strength of clay, 0.990 of default (") != std::string::npos);
+    add("ice", "0.7");
+    add("marl", "0.8");
+    CHECK(least().find("0.400 times the strength of clay, 0.700 of ice, 0.800 of marl and 1 more (") !=
+          std::string::npos);
 }
 
 TEST_CASE("storm: what it does not take") {

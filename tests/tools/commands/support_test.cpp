@@ -133,6 +133,23 @@ TEST_CASE("support: a slice shows no spacing wider than itself, and what it show
     CHECK(people.out.find("active: the factor divides the strength of joints") != std::string::npos);
 }
 
+TEST_CASE("support: it warns of a strength that changes, which it takes at time 0") {
+    const std::vector<std::string> asked{kAnchored, "--factor", "2.5"};
+    CHECK(supportOf(asked)["warnings"].empty());
+    const TemporaryFolder folder;
+    std::string text = contentOf(kAnchored);
+    const std::string joint = "[joint.plane]\n";
+    REQUIRE(text.find(joint) != std::string::npos);
+    text.insert(text.find(joint) + joint.size(), "strength_over_time = [[0, 1], [10, 0.4]]\n");
+    const std::string weakens = folder.write("weakens.toml", text);
+    const auto warnings = supportOf({weakens, "--factor", "2.5"})["warnings"];
+    REQUIRE(warnings.size() == 1);
+    const std::string told = "joint.plane.strength_over_time: this answer is for time 0";
+    CHECK(warnings[0].get<std::string>().find(told) == 0);
+    const Outcome people = runTalus({"support", weakens, "--factor", "2.5", "--quiet"});
+    CHECK(people.out.find("warning           " + told) != std::string::npos);
+}
+
 TEST_CASE(
     "support: what is reached without bolts, or not with them, is a result; what is not there is refused") {
     const auto none = supportOf({kAnchored, "--factor", "1.3"});

@@ -48,6 +48,22 @@ TEST_CASE("Table 1 has the laboratory's averages beside the exact limits") {
     CHECK(std::abs(json["rows"][3].at("theory_deg")[1].get<double>() - 15.56) < 0.0051);
 }
 
+TEST_CASE("a strength that changes is taken at time 0, with a warning") {
+    const TemporaryFolder folder;
+    const std::string slope = folder.write(
+        "weakens.toml",
+        "[gravity]\ntilt_deg = 10.0\n[material.rock]\ndensity = 2700.0\n[joint.default]\n"
+        "normal_stiffness = 1e10\nshear_stiffness = 1e10\nfriction_deg = 35.0\n"
+        "strength_over_time = [[0, 1], [10, 0.02]]\n"
+        "[[block]]\nname = \"floor\"\nbox = { min = [-2, 0, -1], max = [9, 1, 0] }\nfixed = true\n"
+        "[[block]]\nname = \"block\"\nbox = { min = [0, 0, 0], max = [1, 1, 0.5] }\n");
+    const std::string told = "joint.default.strength_over_time: this answer is for time 0";
+    const auto json = theory({slope});
+    REQUIRE(json.at("warnings").size() == 1);
+    CHECK(json.at("warnings")[0].get<std::string>().find(told) == 0);
+    CHECK(runTalus({"theory", slope}).out.find("\nwarning: " + told) != std::string::npos);
+}
+
 TEST_CASE("numbers beyond the formulas are refused") {
     const std::vector<std::string> mass = {"theory", "sliding", "--height", "0.5", "--friction", "20"};
     for (const std::vector<std::string>& more : {std::vector<std::string>{"--length", "nan"},
