@@ -135,7 +135,9 @@ TEST_CASE("coupled flow: a change of pressure is counted over the largest, and s
 
 TEST_CASE("coupled flow: the taper of a triangle, by hand, falls with the mesh") {
     // 1e-4 m at x = 0 and 2e-4 m at x = 4: triangles meet at x = 2 and reach from there to both ends.
-    for (const auto& [refinements, taper] : {std::pair(0, 2.0), std::pair(1, 1.5), std::pair(2, 1.25)}) {
+    for (const auto& each : {std::pair(0, 2.0), std::pair(1, 1.5), std::pair(2, 1.25)}) {
+        const int refinements = each.first;
+        const double taper = each.second;
         CAPTURE(refinements);
         State state = coupledState(refinements);
         flow_water::CoupledFlow coupled(state);
