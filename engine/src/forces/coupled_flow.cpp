@@ -13,7 +13,9 @@
 namespace talus::flow_water {
 namespace {
 
-constexpr double kLess = 0.5;  // of the share that is put in, where changes do not become smaller
+// Of the share that is put in, where changes do not become smaller. It sets the number of passes, not the
+// pressure at which they end.
+constexpr double kLess = 0.5;
 
 /// Of a triangle that carries water.
 /// \param opened  at its places, since its aperture was as stated [m]

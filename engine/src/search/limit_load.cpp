@@ -22,7 +22,7 @@ constexpr double kOfTolerance = 0.01;
 // would then halve it dozens of times before that end moves.
 constexpr double kLeastReserve = -1;
 
-constexpr double kLeastFactor = 0.01;  // of safety: a row of columns with less is given no factor
+constexpr double kWeakestRow = 0.01;  // of safety: a row of columns with less is given no factor
 constexpr int kStepsDown = 10;  // from an answer to the start, where a stable row of columns is looked for
 
 /// The model under loads, each judged by block theory.
@@ -191,7 +191,7 @@ std::optional<LimitEquilibrium> limitOfColumns(const LimitQuestion& question, co
                          : tryColumns(model, rowAt(question, load), load, 1);
     };
     // On a level base no side is downhill.
-    const double first = is_factor ? kLeastFactor : axis.start + axis.loading.cell;
+    const double first = is_factor ? kWeakestRow : axis.start + axis.loading.cell;
     return limitAbove(tryLoad, axis, stableBelow(tryLoad, first, answer), answer);
 }
 

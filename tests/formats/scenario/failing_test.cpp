@@ -34,6 +34,17 @@ double reducedBy(double factor, double angle_deg) {
     return std::atan(std::tan(angle_deg * kDegree) / factor);
 }
 
+/// The scenario of a text as it fails at a factor of safety of 1.25.
+Scenario atFactor(const std::string& text) {
+    FailingLoad load;
+    load.varied = Varied::factor;
+    load.value = 1.25;
+    load.frame_interval = 0.01;
+    auto after = failingScenario(*parseScenario(text, "slope.toml"), load, "");
+    REQUIRE(after.ok());
+    return std::move(*after);
+}
+
 }  // namespace
 
 TEST_CASE("strengths are divided wherever the file gives them; joints keep their number and order") {
@@ -91,13 +102,8 @@ TEST_CASE("elevations over time are held at the first, as levels are") {
     const std::string levels = "levels = [[0.0, 0.05], [1.0, 0.15]]";
     std::string text = kText;
     text.replace(text.find(levels), levels.size(), "elevations = [[0.0, 0.05], [1.0, 0.15]]");
-    FailingLoad load;
-    load.varied = Varied::factor;
-    load.value = 1.25;
-    load.frame_interval = 0.01;
-    const auto after = failingScenario(*parseScenario(text, "slope.toml"), load, "");
-    REQUIRE(after.ok());
-    const auto read = parseScenario(after->text, "again.toml");
+    const Scenario after = atFactor(text);
+    const auto read = parseScenario(after.text, "again.toml");
     REQUIRE(read.ok());
     REQUIRE(read->model.waters[0].level.size() == 2);
     for (const LevelPoint& point : read->model.waters[0].level) CHECK(point.value == 0.05);
@@ -106,15 +112,10 @@ TEST_CASE("elevations over time are held at the first, as levels are") {
 TEST_CASE("strengths over time are held at the first, and divided") {
     std::string text = kText;
     text.insert(text.find("[joint.clay]"), "strength_over_time = [[0.0, 0.8], [1.0, 0.3]]\n");
-    FailingLoad load;
-    load.varied = Varied::factor;
-    load.value = 1.25;
-    load.frame_interval = 0.01;
-    const auto after = failingScenario(*parseScenario(text, "slope.toml"), load, "");
-    REQUIRE(after.ok());
-    const auto read = parseScenario(after->text, "again.toml");
+    const Scenario after = atFactor(text);
+    const auto read = parseScenario(after.text, "again.toml");
     REQUIRE(read.ok());
-    for (const Model& model : {after->model, read->model}) {
+    for (const Model& model : {after.model, read->model}) {
         CHECK(model.joints[0].strength_over_time == std::vector<LevelPoint>{{0, 0.8}, {1, 0.8}});
         CHECK(model.joints[0].cohesion == doctest::Approx(100 / 1.25).epsilon(1e-12));
         CHECK(model.joints[1].strength_over_time.empty());
