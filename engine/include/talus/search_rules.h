@@ -25,6 +25,9 @@ struct SearchRules {
     double merit_growth = 100;
     double stalled = 0.9;
     double floor_drag = 0.05;
+    double local_others = 0.05;
+    double local_rings = 2;
+    double local_share = 0.25;
     // Steps along the path.
     double step_displacement = 1e-3;
     double step_tilt = 0.05;
@@ -44,8 +47,10 @@ struct SearchRules {
     double rise = 1;
     double peak_accuracy = 0.25;
     double overload = 0.25;
-    double release_drag = 1e-3;
+    double release_drag = 1e-5;
     double release_growth = 4;
+    double release_accuracy = 0.02;
+    double release_slowed = 16;
     double release_looks = 3;
     double elastic_parting = 2;
     double creep = 1e-2;

@@ -26,6 +26,10 @@ constexpr double kAsLong = 0.99;      // but for rounding
 constexpr int kShorterSlides = 8;
 constexpr double kLeastProgress = 1.02;  // of a release: it makes no progress
 constexpr double kLessGrowth = 0.3;      // of the excess over 1, after a failure
+constexpr double kAlmost = 0.8;          // of the farthest that blocks may move in a step in pseudo-time
+// Over the joints' stiffness: blocks then hardly move, and a step that fails is no matter of its length.
+constexpr double kMostDrag = 1e3;
+constexpr double kRecovers = 0.5;  // of the drag of a slowed block, from step to step
 
 // Unbreakable joints: cohesion and tensile strength over the stress under the weights at first; their
 // reduction in each solve; and the value below which they are none.
@@ -66,6 +70,7 @@ void EquilibriumPath::vary(const Loading& loading, double load) {
 }
 
 void EquilibriumPath::putUnder(double load) {
+    equations_.recover(0);
     if (load != this->load()) passes_ = 0;
     equations_.setLoad(load);
     updateBlockForces(state_);
@@ -221,6 +226,33 @@ PathStep EquilibriumPath::against(double most) {
         before_displacement = std::exchange(arc.displacement, next.displacement);
     }
     return best;
+}
+
+PathStep EquilibriumPath::relax(double most, double& drag) {
+    while (!stopped() && drag < kMostDrag) {
+        const Arc arc{.unknown = Unknown::none,
+                      .displacement = most,
+                      .drag = drag,
+                      .accuracy = rules_.release_accuracy};
+        PathStep step =
+            solveStep(equations_, arc, {.x = Vec6s(equations_.balance().block.size(), Vec6::Zero())});
+        if (!step) {  // which costs more than several steps that converge
+            drag *= rules_.release_growth * rules_.release_growth;
+            continue;
+        }
+        // Where blocks move freely, they move in proportion to the time.
+        const double too_long = partedBy(step) / most, as_long = drag * too_long / kAlmost;
+        if (too_long > 1) {
+            drag = as_long;
+            continue;
+        }
+        equations_.recover(kRecovers);
+        const double falls =
+            std::clamp(step.iterations / rules_.newton_iterations, 1 / rules_.release_growth, 1.0);
+        drag = std::max({falls * drag, as_long, equations_.leastDrag(most)});
+        return step;
+    }
+    return {};
 }
 
 void EquilibriumPath::commit(PathStep step) {

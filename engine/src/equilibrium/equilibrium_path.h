@@ -53,6 +53,9 @@ class EquilibriumPath {
     PathStep fromHeldJoints();
     /// Moves the end against a drag, the smallest that converges, by `most` [block sizes] between neighbours.
     PathStep against(double most);
+    /// A step in pseudo-time: blocks move against a drag, by no more than `most` [block sizes] between neighbours.
+    /// \param drag over the joints' stiffness; afterwards that of the next step
+    PathStep relax(double most, double& drag);
 
     /// \return whether contacts were searched for
     void commit(PathStep step);

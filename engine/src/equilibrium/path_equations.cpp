@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -19,6 +20,8 @@ namespace {
 constexpr double kRoundingMargin = 4;
 // Of a cell: load difference for the derivative by the load.
 constexpr double kLoadDifference = 1e-3;
+// Of a block's drag: more would be as good as fixing it.
+constexpr double kMostSlowed = 1e6;
 
 }  // namespace
 
@@ -29,7 +32,8 @@ PathEquations::PathEquations(State& state, FirstOrderGaps& gaps, const SearchRul
       rules_(rules),
       stop_(stop),
       work_(work),
-      water_follows_(state.geometry->model.hasWater()) {}
+      water_follows_(state.geometry->model.hasWater()),
+      slowed_(state.blocks.size(), 1.0) {}
 
 void PathEquations::setLoading(Loading loading, double load) {
     loading_ = std::move(loading);
@@ -75,14 +79,15 @@ double PathEquations::limitOf(std::size_t row) const {
     return std::max(limit, 2 * rounding_[row]);
 }
 
-double PathEquations::inaccuracy(const Vec6s& force) const {
+double PathEquations::inaccuracy(std::size_t row, const Vec6& force) const {
+    if (!force.allFinite()) return kInfinity;
     const double accuracy = rules_.newton_accuracy * rules_.equilibrium_tolerance * loading_.imbalance;
+    return force.cwiseAbs().maxCoeff() / balance_.weight[row] / std::max(accuracy, rounding_[row]);
+}
+
+double PathEquations::inaccuracy(const Vec6s& force) const {
     double most = 0;
-    for (std::size_t r = 0; r < force.size(); ++r) {
-        if (!force[r].allFinite()) return kInfinity;
-        const double ratio = force[r].cwiseAbs().maxCoeff() / balance_.weight[r];
-        most = std::max(most, ratio / std::max(accuracy, rounding_[r]));
-    }
+    for (std::size_t r = 0; r < force.size(); ++r) most = std::max(most, inaccuracy(r, force[r]));
     return most;
 }
 
@@ -112,9 +117,14 @@ Poses PathEquations::moved(const Vec6s& x) const {
     return poses;
 }
 
-double PathEquations::dragOf(const Arc& arc, const PathStep& at) const {
-    if (arc.unknown == Unknown::drag) return at.value;
+double PathEquations::drag(const Arc& arc, const PathStep& at, std::size_t row) const {
+    if (arc.unknown == Unknown::drag) return at.value * balance_.drag[row];
+    if (arc.drag > 0) return arc.drag * slowed_[balance_.block[row]] * balance_.drag[row];
     const double displacement = std::isfinite(arc.displacement) ? arc.displacement : rules_.step_displacement;
+    return leastDrag(displacement) * balance_.drag[row];
+}
+
+double PathEquations::leastDrag(double displacement) const {
     const double accuracy = rules_.newton_accuracy * rules_.equilibrium_tolerance * loading_.imbalance;
     return rules_.floor_drag * accuracy / (displacement * heaviest_drag_);
 }
@@ -125,8 +135,7 @@ void PathEquations::residual(const Arc& arc, const PathStep& at, const Poses& po
     if (stiffness) gaps_.set(state_, poses.position, poses.orientation);
     sumForces(state_, balance_, poses, stiffness, force);
     ++work_.forces;
-    const double drag = dragOf(arc, at);
-    for (std::size_t r = 0; r < force.size(); ++r) force[r] -= drag * balance_.drag[r] * at.x[r];
+    for (std::size_t r = 0; r < force.size(); ++r) force[r] -= drag(arc, at, r) * at.x[r];
 }
 
 void PathEquations::byUnknown(const Arc& arc, const PathStep& at, const Poses& poses, Vec6s& rate) {
@@ -155,10 +164,38 @@ double PathEquations::merit(const Vec6s& force) const {
     return std::sqrt(sum);
 }
 
+std::vector<std::size_t> PathEquations::worstRows(const Vec6s& force) const {
+    std::vector<std::pair<double, std::size_t>> parts;
+    double left = 0;
+    for (std::size_t r = 0; r < force.size(); ++r) {
+        parts.emplace_back(force[r].squaredNorm() / (balance_.weight[r] * balance_.weight[r]), r);
+        left += parts.back().first;
+    }
+    std::vector<std::size_t> rows;
+    if (!std::isfinite(left)) return rows;
+    std::sort(parts.begin(), parts.end(), std::greater<>());
+    const double of_others = rules_.local_others * left;
+    while (rows.size() < parts.size() && left > of_others) {
+        left -= parts[rows.size()].first;
+        rows.push_back(parts[rows.size()].second);
+    }
+    return rows;
+}
+
+void PathEquations::slow(const std::vector<std::size_t>& rows) {
+    for (const std::size_t r : rows) {
+        double& slowed = slowed_[balance_.block[r]];
+        slowed = std::min(rules_.release_slowed * slowed, kMostSlowed);
+    }
+}
+
+void PathEquations::recover(double share) {
+    for (double& slowed : slowed_) slowed = std::max(1.0, share * slowed);
+}
+
 bool PathEquations::factorise(const Arc& arc, const PathStep& at) {
-    const double drag = dragOf(arc, at);
     for (std::size_t r = 0; r < balance_.block.size(); ++r)
-        balance_.matrix.diagonal[r].diagonal().array() += drag * balance_.drag[r];
+        balance_.matrix.diagonal[r].diagonal().array() += drag(arc, at, r);
     ++work_.factors;
     return linear_->factorise(balance_.matrix, balance_.weight);
 }

@@ -2,15 +2,19 @@
 // The equations of a step from an equilibrium, with one more unknown beside the displacements of the blocks.
 //
 //   along the path   F(u0 + x, L0 + s) = e C x,      (|x| / d)^2 + (s / l)^2 = 1
-//   released         F(u0 + x, L0)     = s C x,       |x| = d
+//   sliding          F(u0 + x, L0)     = s C x,       |x| = d
+//   in pseudo-time   F(u0 + x, L0)     = g S C x
 //   at rest          F(u0 + x, L0)     = e C x
 //
 // x: displacements in the step. s: change of the load, or drag over the stiffness C of the joints on each
 // block. F: the out-of-balance forces (balance.h). |x|^2: the sum over blocks of (displacement / size)^2. The
 // drag e is so small that at the end of a step it is a twentieth of the accuracy: it only keeps the matrix
 // regular. Arc length with the load as an unknown: E. Riks, Int. J. Solids Struct. 15, 1979; M. A. Crisfield,
-// Comput. Struct. 13,
-// 1981.
+// Comput. Struct. 13, 1981.
+//
+// In pseudo-time, blocks move against a given drag g: one step of backward Euler on C du/dt = F(u), of the
+// length 1 / g (C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35, 1998). S slows the blocks that keep
+// Newton's method from converging: each block has a pseudo-time of its own.
 
 #include <cstdint>
 #include <functional>
@@ -39,6 +43,8 @@ struct Arc {
     Unknown unknown = Unknown::load;
     double displacement = 0;  ///< d above; infinite: only the load counts
     double load = 0;          ///< l above
+    double drag = 0;          ///< g above; 0: e
+    double accuracy = 0;      ///< share of the first residual with which a step may end
 };
 
 /// A step, or a guess of one.
@@ -88,22 +94,34 @@ class PathEquations {
     void byUnknown(const Arc& arc, const PathStep& at, const Poses& poses, Vec6s& rate);
     /// The largest residual of a block, over the one that a step may end with.
     double inaccuracy(const Vec6s& force) const;
+    double inaccuracy(std::size_t row, const Vec6& force) const;
     /// The root of the sum of squares over the weights.
     double merit(const Vec6s& force) const;
     /// Out-of-balance force over the weight that a row's block may have in equilibrium: larger for a thin
     /// block or one far from the origin, by rounding of its coordinates.
     double limitOf(std::size_t row) const;
 
+    /// The fewest rows with nearly all of a residual. \return empty where it is not finite
+    std::vector<std::size_t> worstRows(const Vec6s& force) const;
+
+    /// On a row's block, over its displacement [N/m].
+    double drag(const Arc& arc, const PathStep& at, std::size_t row) const;
+    /// Over C: e above, for steps of that displacement.
+    double leastDrag(double displacement) const;
+    /// More drag on some rows' blocks in pseudo-time; and a share of that on all from now on.
+    void slow(const std::vector<std::size_t>& rows);
+    void recover(double share);
+
     /// Of the matrix last summed with its stiffness.
     bool factorise(const Arc& arc, const PathStep& at);
     bool solve(Vec6s& x, double accuracy = IterativeSolver::kAccuracy) { return linear_->solve(x, accuracy); }
 
+    const State& state() const { return state_; }
     const SearchRules& rules() const { return rules_; }
     bool stopped() const;
 
  private:
     double sizeOf(std::size_t row) const;
-    double dragOf(const Arc& arc, const PathStep& at) const;
     void applyLoad(double load);
 
     State& state_;
@@ -119,6 +137,7 @@ class PathEquations {
     double applied_ = 0;              ///< the load that the state has now
     bool water_follows_ = false;      ///< water's forces follow from the load
     double heaviest_drag_ = 0;        ///< C size / weight, the largest of any block
+    std::vector<double> slowed_{};    ///< by block: S above
     std::optional<LinearSolver> linear_{};
     std::vector<std::pair<std::int32_t, std::int32_t>> edges_{};  ///< of the matrices that solver takes
 };

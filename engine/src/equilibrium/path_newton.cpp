@@ -2,9 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "equilibrium/local_equilibrium.h"
 
 namespace talus::equilibrium {
 namespace {
+
+// Of a correction: blocks that let less of it converge are slowed in pseudo-time.
+constexpr double kShortShare = 1.0 / 8;
 
 double inverseSquare(double length) { return std::isfinite(length) ? 1 / (length * length) : 0.0; }
 
@@ -43,7 +49,7 @@ class Bordered {
 
     /// Of a correction, in arcs.
     double length(const Vec6s& x, double change) const {
-        const double by_x = arc_.unknown == Unknown::none ? 1.0 : by_x_;
+        const double by_x = by_x_ > 0 ? by_x_ : 1.0;
         return std::sqrt(by_x * equations_.dot(x, x) + by_value_ * change * change);
     }
 
@@ -90,6 +96,7 @@ PathStep solveStep(PathEquations& equations, const Arc& arc, PathStep at) {
     PathStep tried;
     Vec6s residual, correction, next;
     int stalls = 0;
+    double enough = 1, last_share = 1;
     at.converged = false;
     at.unknown = arc.unknown;
     for (at.iterations = 1; at.iterations <= static_cast<int>(rules.newton_iterations); ++at.iterations) {
@@ -97,16 +104,21 @@ PathStep solveStep(PathEquations& equations, const Arc& arc, PathStep at) {
         equations.residual(arc, at, poses, true, residual);
         const double inaccuracy = equations.inaccuracy(residual);
         if (!std::isfinite(inaccuracy)) return at;
-        if (inaccuracy < 1 && std::abs(bordered.misses(at)) < rules.on_arc) {
+        if (at.iterations == 1) enough = std::max(1.0, arc.accuracy * inaccuracy);
+        if (inaccuracy < enough && std::abs(bordered.misses(at)) < rules.on_arc) {
             at.converged = true;
             return at;
+        }
+        if (std::exchange(last_share, 1.0) < 1 && settleWorst(equations, arc, residual, at, poses)) {
+            --at.iterations;
+            continue;
         }
         if (!equations.factorise(arc, at)) return at;
         correction = residual;
         double change = 0;
         if (!bordered.takeRate(at, poses) || !bordered.correct(at, correction, change)) return at;
         const double length = bordered.length(correction, change), merit = equations.merit(residual);
-        double share = arc.unknown == Unknown::none ? 1.0 : std::min(1.0, rules.longest_correction / length);
+        double share = std::isfinite(arc.displacement) ? std::min(1.0, rules.longest_correction / length) : 1.0;
         double best = kInfinity, best_share = 0;
         for (int k = 0; k < static_cast<int>(rules.newton_halvings); ++k, share *= 0.5) {
             tried = at;
@@ -127,6 +139,14 @@ PathStep solveStep(PathEquations& equations, const Arc& arc, PathStep at) {
             if (shrinks < 1 - 0.5 * share) break;
         }
         if (best_share == 0) return at;
+        last_share = best_share;
+        if (arc.drag > 0 && best_share <= kShortShare) {
+            tried = at;
+            add(1.0, correction, change, tried);
+            equations.residual(arc, tried, equations.moved(tried.x), false, next);
+            equations.slow(equations.worstRows(next));
+            best = 0;
+        }
         stalls = best < rules.stalled || at.iterations == 1 ? 0 : stalls + 1;
         if (stalls > static_cast<int>(rules.newton_stalls)) return at;
         move(equations.balance(), correction, best_share, poses);

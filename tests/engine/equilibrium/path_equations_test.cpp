@@ -165,6 +165,47 @@ TEST_SUITE("equilibrium") {
         }
     }
 
+    TEST_CASE("path equations: in pseudo-time each block is held by the stiffness of its joints, and by more when it is slowed") {
+        const Model model = twoBoxes();
+        const search::LoadAxis tilt = search::tiltAxis(model, {});
+        Equations equations(*buildState(model, false), tilt.loading, kPathLoad);
+        PathEquations& path = equations.path;
+        const PathStep at{.unknown = Unknown::none, .x = shake(2, 3)};
+        const Poses poses = path.moved(at.x);
+        const auto residual = [&](double drag) {
+            const Arc arc{.unknown = Unknown::none, .displacement = kInfinity, .drag = drag};
+            Vec6s force;
+            path.residual(arc, at, poses, false, force);
+            return force;
+        };
+        const Vec6s once = residual(0.2), twice = residual(0.4);
+        const auto held = [&](std::size_t r) { return Vec6(path.balance().drag[r] * at.x[r]); };
+        for (std::size_t r = 0; r < 2; ++r)
+            CHECK((once[r] - twice[r] - 0.2 * held(r)).norm() < 1e-9 * held(r).norm());
+        // A block that is slowed has more of it, until it has recovered.
+        path.slow({1});
+        CHECK((residual(0.2)[0] - once[0]).norm() == 0);
+        const double more = path.rules().release_slowed - 1;
+        CHECK((once[1] - residual(0.2)[1] - more * 0.2 * held(1)).norm() < 1e-9 * held(1).norm());
+        for (int k = 0; k < 5; ++k) path.recover(0.5);
+        CHECK((residual(0.2)[1] - once[1]).norm() < 1e-9 * held(1).norm());
+    }
+
+    TEST_CASE("path equations: the worst rows are the fewest with nearly all of a residual") {
+        Equations equations(*buildState(twoBoxes(), false), search::tiltAxis(twoBoxes(), {}).loading, 0);
+        const std::vector<double>& weight = equations.path.balance().weight;
+        const auto worst = [&](double first, double second) {
+            Vec6s force(2, Vec6::Zero());
+            force[0].x() = first * weight[0];
+            force[1].z() = second * weight[1];
+            return equations.path.worstRows(force);
+        };
+        CHECK(worst(1, 0.1) == std::vector<std::size_t>{0});
+        CHECK(worst(0.1, -1) == std::vector<std::size_t>{1});
+        CHECK(worst(1, -2) == std::vector<std::size_t>{1, 0});
+        CHECK(worst(1, kInfinity).empty());
+    }
+
     TEST_CASE("path equations: displacements are measured in sizes of the blocks, of pebbles in a share") {
         Model model = floorModel(30, 1e9);
         for (int k = 0; k < 4; ++k) addBox(model, "b" + std::to_string(k), {1.0 * k, 0, 0}, {0.4, 0.4, 0.4});

@@ -115,6 +115,26 @@ TEST_SUITE("equilibrium") {
         }
     }
 
+    TEST_CASE("newton: in pseudo-time a slab slides in proportion to the force that is left over") {
+        for (const double beyond : {0.1, 1.0, 10.0})
+            for (const double far : {1e-4, 1e-3}) {  // [m]
+                CAPTURE(beyond);
+                CAPTURE(far);
+                AtRest at(slab(20));
+                at.equations.setLoad(radians(20 + beyond));
+                const Balance& balance = at.equations.balance();
+                const double left_over =
+                    balance.weight[0] * (std::sin(radians(20 + beyond)) -
+                                         std::cos(radians(20 + beyond)) * std::tan(radians(20)));
+                const Arc arc{.unknown = Unknown::none,
+                              .displacement = kInfinity,
+                              .drag = left_over / (balance.drag[0] * far)};
+                const PathStep slide = solveStep(at.equations, arc, {.x = Vec6s(1, Vec6::Zero())});
+                REQUIRE(slide);
+                CHECK(-slide.x[0].x() == doctest::Approx(far).epsilon(0.02));
+            }
+    }
+
     TEST_CASE("newton: equilibrium below the friction angle has the shear of the slope") {
         AtRest at(slab(20));
         at.equations.setLoad(radians(15));
