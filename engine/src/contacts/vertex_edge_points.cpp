@@ -186,14 +186,13 @@ constexpr double kDeeperThanParts = 200.0;
 
 /// Axes of faces or edges along which they are no farther apart than this change nothing in what
 /// findVertexEdgePoints makes of the meeting, real or not. Nearer than the sharp axis by more than the tie, an
-/// axis could only replace the faces, which lose against the sharp axis either way. Edges no farther apart
-/// than the faces lose against these. (A face's normal may not be left out so: edges win against it only by
-/// more than the tie.)
+/// axis could only replace the faces, which lose against the sharp axis either way. Nearer than the faces, it
+/// could only replace a sharp axis that loses against these. For a face's normal that has to be clear by twice
+/// the tie, since edges win against it only by more than the tie.
 double floorOf(bool of_edges, const Meeting& best, double tie) {
-    constexpr double kMoreThanTie = 2.0;
-    const double replaced =
-        of_edges ? best.faces.distance : std::min(best.sharp.distance, best.faces.distance);
-    return std::max(replaced, best.sharp.distance - kMoreThanTie * tie);
+    const double sharp = best.sharp.distance, faces = best.faces.distance;
+    if (of_edges) return std::max(faces, sharp - 2.0 * tie);
+    return std::max(std::min(sharp, faces), std::max(sharp, faces) - 2.0 * tie);
 }
 
 Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {
