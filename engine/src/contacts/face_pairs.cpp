@@ -25,23 +25,26 @@ double area(const Face& face) {
     return 0.5 * doubled;
 }
 
-/// The chord between one normal and the other's opposite: exact for the small angles where a cosine is not.
-bool isOpposite(const Vec3& a, const Vec3& b, double max_angle) {
-    const double chord = (a + b).norm();
-    return chord <= max_angle &&
-           chord <= 2 * std::sin(0.5 * max_angle);  // the chord is never longer than the arc
-}
+// Of FacePairLimits::size: far more than rounding and uneven faces let a patch lie below the faces' corners.
+constexpr double kUneven = 1e-4;
+constexpr double kClearly = 1.01;  // of a square: more than rounding
 
-/// Whether the gap of a patch between the two planes can be within the limits: it lies between the heights of
-/// the other face's vertices. Excludes the far sides of two blocks before any clipping.
-bool canTouch(const FaceFrame& frame, const Face& other, const FacePairLimits& limits) {
+/// The chord between one normal and the other's opposite is exact for the small angles where a cosine is not.
+/// It is never longer than the arc.
+bool isWithin(double chord, double angle) { return chord <= angle && chord <= 2.0 * std::sin(0.5 * angle); }
+
+/// Whether the gap and tilt of a patch between the two planes can be within the limits: its gap lies between
+/// the heights of the other face's vertices. Excludes the far sides of two blocks, and most faces that are not
+/// parallel, before any clipping.
+bool canTouch(const FaceFrame& frame, const Face& other, double chord, const FacePairLimits& limits) {
     double least = frame.height(other.vertex(0)), most = least;
     for (std::size_t i = 1; i < other.size(); ++i) {
         const double height = frame.height(other.vertex(i));
         least = std::min(least, height);
         most = std::max(most, height);
     }
-    return least <= limits.max_gap && most >= -limits.max_overlap;
+    return least <= limits.max_gap && most >= -limits.max_overlap &&
+           isWithin(chord, limits.angleAt(least - kUneven * limits.size));
 }
 
 /// Outline in the frame's plane, counter-clockwise there on either side of the face.
@@ -68,15 +71,18 @@ FaceFrame faceFrame(const WorldShape& shape, std::size_t face) { return frameOf(
 std::optional<FacePair> findFacePair(const WorldShape& a, std::size_t face_a, const WorldShape& b,
                                      std::size_t face_b, const FacePairLimits& limits) {
     const Face in_a{a, face_a}, in_b{b, face_b};
-    if (!isOpposite(in_a.normal(), in_b.normal(), limits.max_angle)) return {};
-    const double area_a = area(in_a), area_b = area(in_b);
+    const Vec3 sum = in_a.normal() + in_b.normal();
+    // Most pairs of faces need no square root.
+    if (sum.squaredNorm() > kClearly * limits.max_angle * limits.max_angle) return {};
+    const double chord = sum.norm();
+    if (!isWithin(chord, limits.max_angle)) return {};
     const FaceFrame frame = frameOf(in_a);
-    if (!canTouch(frame, in_b, limits)) return {};
+    if (!canTouch(frame, in_b, chord, limits)) return {};
 
     const Polygon common = intersect(projectOutline(frame, in_a), projectOutline(frame, in_b));
     const Polygon patch = simplify(common, limits.outline_tolerance * extent(common));
     if (patch.empty()) return {};
-    const double share = area(patch) / std::min(area_a, area_b);
+    const double share = area(patch) / std::min(area(in_a), area(in_b));
     if (!(share > limits.min_area_share)) return {};
     FacePair pair{static_cast<std::int32_t>(face_a), static_cast<std::int32_t>(face_b), patch, share,
                   gapAt(frame, in_b, centroid(patch))};
@@ -87,6 +93,7 @@ std::optional<FacePair> findFacePair(const WorldShape& a, std::size_t face_a, co
         pair.most_gap = std::max(pair.most_gap, gap);
     }
     if (pair.least_gap > limits.max_gap || pair.least_gap < -limits.max_overlap) return {};
+    if (chord > 2.0 * std::sin(0.5 * limits.angleAt(pair.least_gap))) return {};
     return pair;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 // Faces of two blocks that lie against each other: where interfaces are.
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,12 +17,20 @@ namespace talus {
 struct FacePairLimits {
     double max_gap = 0;            ///< of the patch's nearest point [m]
     double max_overlap = 0;        ///< [m], positive; smaller than a block is thick
-    double max_angle = 0;          ///< between the two planes [rad]
+    double max_angle = 0;          ///< between the two planes, however deep they overlap [rad]
     double min_area_share = 1e-6;  ///< of the smaller face; a smaller patch is no interface
     /// Share of the patch's size below which its corners are merged or straightened. Otherwise outlines that
     /// differ only by elastic displacements would give corners, and so contact points, that appear and
     /// vanish.
     double outline_tolerance = 1e-6;
+    /// Between two planes that touch, and what it grows by for each share of `size` that they overlap [rad].
+    double touching_angle = std::numeric_limits<double>::infinity(), angle_per_depth = 0;
+    double size = 1;  ///< [m]
+
+    /// The largest angle between two planes with this least gap [rad].
+    double angleAt(double gap) const {
+        return std::min(touching_angle + angle_per_depth * std::max(0.0, -gap) / size, max_angle);
+    }
 };
 
 struct FacePair {

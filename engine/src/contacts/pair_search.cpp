@@ -30,24 +30,44 @@ bool firstIsReference(const State& state, std::size_t first, std::size_t second)
     return radius_1 >= radius_2 * (1.0 - 1e-9);
 }
 
+/// How deep a point lies in a convex shape [m]: below the lowest vertex of each face, so that uneven faces do
+/// not add to it. It is not followed below `least`.
+double depthIn(const WorldShape& shape, const Vec3& point, double least) {
+    double depth = kInfinity;
+    for (std::size_t face = 0; face < shape.faces.size() && depth > least; ++face)
+        for (const std::int32_t v : shape.faces[face])
+            depth =
+                std::min(depth, shape.normals[face].dot(shape.vertices[static_cast<std::size_t>(v)] - point));
+    return depth;
+}
+
+/// How deep two convex shapes overlap at least [m]: as deep as a vertex of one lies in the other, since a ball
+/// of that radius about it does, too. 0: no vertex does.
+double leastDepth(const WorldShape& a, const WorldShape& b) {
+    double most = 0;
+    for (const Vec3& vertex : a.vertices) most = std::max(most, depthIn(b, vertex, most));
+    for (const Vec3& vertex : b.vertices) most = std::max(most, depthIn(a, vertex, most));
+    return most;
+}
+
 /// Faces may be opposite through the bodies: the far side of a block and the near side of its neighbour, or
 /// faces that are not parallel. A pair whose overlap differs from that of the blocks is left out.
 void dropFalsePairs(const WorldShape& a, const WorldShape& b, double closed, PairFinding& finding) {
-    const auto overlaps = [&](const FacePair& face) { return face.least_gap < -closed; };
-    if (std::none_of(finding.faces.begin(), finding.faces.end(), overlaps)) return;
-    const double depth = std::max(0.0, -findSeparation(a, b).distance);
+    constexpr double kRounding = 1e-6;  // of what counts as closed: rounding of the depths is far less
+    const double above = (1.0 + kRounding) * closed, below = (1.0 - kRounding) * closed;
+    double least = kInfinity, most = 0;  // overlap of the faces that count
+    for (const FacePair& face : finding.faces) {
+        if (face.least_gap >= -closed) continue;
+        least = std::min(least, -face.least_gap);
+        most = std::max(most, -face.least_gap);
+    }
+    if (most == 0) return;
+    // The depth takes long to find, and a bound often decides. At this depth or more no face is left out;
+    if (most <= 2.0 * leastDepth(a, b) + below) return;
+    // at this depth or less all of these faces are.
+    const double depth = std::max(0.0, -findSeparation(a, b, -0.5 * (least - above)).distance);
     std::erase_if(finding.faces,
                   [&](const FacePair& face) { return -face.least_gap > 2.0 * depth + closed; });
-}
-
-/// Faces too far from parallel to meet as faces.
-void dropTilted(const WorldShape& first, const WorldShape& second, double size, PairFinding& finding) {
-    std::erase_if(finding.faces, [&](const FacePair& face) {
-        const Vec3 sum = first.normals[static_cast<std::size_t>(face.face_a)] +
-                         second.normals[static_cast<std::size_t>(face.face_b)];
-        const double angle = kFaceAngle + kFaceAnglePerDepth * std::max(0.0, -face.least_gap) / size;
-        return sum.norm() > 2.0 * std::sin(0.5 * std::min(angle, kMostFaceAngle));
-    });
 }
 
 /// Faces partly covered by other parts of their body: a patch on the covered piece is left out.
@@ -204,10 +224,13 @@ PairFinding examinePair(const State& state, const PlacedShapes& placed, BoxPair 
     const WorldShape placed_a = placed.world(static_cast<std::size_t>(finding.part_a), body_a),
                      placed_b = placed.world(static_cast<std::size_t>(finding.part_b), body_b);
     if (!initial && areApart(placed_a, placed_b, range.margin)) return finding;
-    finding.faces =
-        findFacePairs(placed_a, placed_b,
-                      {.max_gap = range.margin, .max_overlap = 0.5 * size, .max_angle = kMostFaceAngle});
-    dropTilted(placed_a, placed_b, size, finding);
+    finding.faces = findFacePairs(placed_a, placed_b,
+                                  {.max_gap = range.margin,
+                                   .max_overlap = 0.5 * size,
+                                   .max_angle = kMostFaceAngle,
+                                   .touching_angle = kFaceAngle,
+                                   .angle_per_depth = kFaceAnglePerDepth,
+                                   .size = size});
     dropFalsePairs(placed_a, placed_b, closed, finding);
     dropCovered(placed_a, placed_b, finding);
     if (!known.deep.empty()) keepDeep(state, known, pair, placed_a, placed_b, finding);

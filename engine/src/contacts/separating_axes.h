@@ -2,8 +2,11 @@
 // Candidate separating axes of two convex parts: the normals of their faces and the cross products of their
 // edges (separating-axis theorem; Gottschalk, Lin and Manocha 1996).
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -18,15 +21,29 @@ struct Edge {
     Vec3 arc;                  ///< cross product of the two faces' normals
 };
 
-/// In the order of their vertices.
-std::vector<Edge> edgesOf(const WorldShape& shape);
-
+/// Two convex parts, and their edges once something needs them. Where rocks roll this is made thousands of
+/// times a second, so it has room itself for the edges of most parts.
 struct Pair {
-    const WorldShape &first, &second;
-    std::vector<Edge> first_edges{}, second_edges{};
+    Pair(const WorldShape& first_part, const WorldShape& second_part)
+        : first(first_part), second(second_part) {}
+    Pair(const Pair&) = delete;
+    Pair& operator=(const Pair&) = delete;
 
     const WorldShape& shape(bool is_second) const { return is_second ? second : first; }
+
+    const WorldShape &first, &second;
+
+ private:
+    static constexpr std::size_t kBytes = 8192;  // of edges, and of what a GaussMap keeps of them
+    std::array<std::byte, kBytes> room_;         // unset, as memory from the heap
+    std::pmr::monotonic_buffer_resource memory_{room_.data(), room_.size()};
+
+ public:
+    std::pmr::vector<Edge> first_edges{&memory_}, second_edges{&memory_};
 };
+
+/// Finds the edges of a part, in the order of their vertices.
+void findEdges(const WorldShape& shape, std::pmr::vector<Edge>& edges);
 
 /// A candidate separating axis.
 struct SeparatingAxis {
@@ -43,27 +60,12 @@ inline const Vec3& vertexOf(const WorldShape& shape, std::int32_t v) {
 }
 
 /// \param face  of the reference
-SeparatingAxis faceAxis(const Pair& pair, bool second_is_reference, std::size_t face);
+/// \param enough  an axis along which they are no farther apart than this may be known no better [m]
+SeparatingAxis faceAxis(const Pair& pair, bool second_is_reference, std::size_t face,
+                        double enough = -std::numeric_limits<double>::infinity());
 
 /// The cross product of two edges; none if they are parallel to rounding.
 SeparatingAxis edgeAxis(const Pair& pair, std::size_t e, std::size_t f);
-
-/// One block's face normals along the arcs of the other's edges.
-class AlongArcs {
- public:
-    AlongArcs(const std::vector<Edge>& edges, std::span<const Vec3> normals) : faces_(normals.size()) {
-        along_.reserve(edges.size() * faces_);
-        for (const Edge& edge : edges)
-            for (const Vec3& normal : normals) along_.push_back(normal.dot(edge.arc));
-    }
-    double at(std::size_t edge, std::int32_t face) const {
-        return along_[edge * faces_ + static_cast<std::size_t>(face)];
-    }
-
- private:
-    std::size_t faces_;
-    std::vector<double> along_;
-};
 
 /// Pairs of edges that are outermost in both blocks along their cross product. On the unit sphere, the arc
 /// between the normals of one edge's faces crosses the arc between the negated normals of the other's (the
@@ -72,38 +74,83 @@ class GaussMap {
  public:
     explicit GaussMap(const Pair& pair)
         : pair_(pair),
-          second_along_first_(pair.first_edges, pair.second.normals),
-          first_along_second_(pair.second_edges, pair.first.normals) {}
+          along_(pair.second.normals.size(), pair.first_edges.get_allocator()),
+          parted_(pair.second_edges.size(), pair.first_edges.get_allocator()) {}
 
-    bool cross(std::size_t e, std::size_t f) const {
-        const Edge &first = pair_.first_edges[e], &second = pair_.second_edges[f];
-        const double second_left = second_along_first_.at(e, second.left);
-        if (second_left * second_along_first_.at(e, second.right) >= 0) return false;
-        const double first_right = first_along_second_.at(f, first.right);
-        return first_along_second_.at(f, first.left) * first_right < 0 && second_left * first_right < 0;
+    /// Calls use(f) for the second's edges that an edge of the first crosses, in order, until it returns
+    /// false. \return whether it never did
+    template <class Use>
+    bool eachCrossing(std::size_t e, const Use& use) {
+        const std::size_t count = findParted(pair_.first_edges[e]);
+        for (std::size_t k = 0; k < count; ++k)
+            if (cross(pair_.first_edges[e], pair_.second_edges[parted_[k]]) && !use(parted_[k])) return false;
+        return true;
     }
 
  private:
+    double along(std::int32_t face) const { return along_[static_cast<std::size_t>(face)]; }
+
+    /// The second's edges whose two normals lie on either side of the first's arc. Without branches, since
+    /// the processor cannot predict which edges they are.
+    std::size_t findParted(const Edge& first) {
+        for (std::size_t face = 0; face < along_.size(); ++face)
+            along_[face] = pair_.second.normals[face].dot(first.arc);
+        std::size_t count = 0;
+        for (std::size_t f = 0; f < pair_.second_edges.size(); ++f) {
+            const Edge& second = pair_.second_edges[f];
+            parted_[count] = f;
+            count += along(second.left) * along(second.right) < 0 ? 1 : 0;
+        }
+        return count;
+    }
+
+    bool cross(const Edge& first, const Edge& second) const {
+        const auto& normals = pair_.first.normals;
+        const double right = normals[static_cast<std::size_t>(first.right)].dot(second.arc);
+        return normals[static_cast<std::size_t>(first.left)].dot(second.arc) * right < 0 &&
+               along(second.left) * right < 0;
+    }
+
     const Pair& pair_;
-    AlongArcs second_along_first_, first_along_second_;
+    std::pmr::vector<double> along_;        ///< the second's normals, along the arc of an edge of the first
+    std::pmr::vector<std::size_t> parted_;  ///< findParted
 };
 
+/// A bound of the distance along any axis of an edge of the first: negative, or infinite where it says
+/// nothing [m]. Such an axis n lies between the normals l and r of the edge's faces: n = a l + b r with
+/// a + b >= 1. A vertex of the second at w from the edge is as far along n as the second is, or farther.
+/// Where both l.w and r.w are negative, n.w is no more than the larger of them.
+double mostAlong(const Pair& pair, const Edge& edge, std::int32_t vertex_of_second);
+
 /// Calls each(axis) for all axes until it returns false. The pair's edges are computed on first use.
+/// \param floor  floor(is_edges): axes of faces or edges along which they are no farther apart than this do
+///               not matter; they may be left out, or be known no better [m]
+template <class Each, class Floor>
+void forEachAxis(Pair& pair, const Each& each, const Floor& floor) {
+    SeparatingAxis farthest;  // of the first's faces: an edge far from its lowest vertex does not matter
+    for (const bool of_second : {false, true})
+        for (std::size_t face = 0; face < pair.shape(of_second).faces.size(); ++face) {
+            const SeparatingAxis axis = faceAxis(pair, of_second, face, floor(false));
+            if (!each(axis)) return;
+            if (!of_second && axis.distance > farthest.distance) farthest = axis;
+        }
+    findEdges(pair.first, pair.first_edges);
+    findEdges(pair.second, pair.second_edges);
+    GaussMap map(pair);
+    for (std::size_t e = 0; e < pair.first_edges.size(); ++e) {
+        if (mostAlong(pair, pair.first_edges[e], farthest.other) <= floor(true)) continue;
+        const bool all = map.eachCrossing(e, [&](std::size_t f) {
+            const SeparatingAxis axis = edgeAxis(pair, e, f);
+            return !axis.is_edges || each(axis);
+        });
+        if (!all) return;
+    }
+}
+
+/// The same for all axes.
 template <class Each>
 void forEachAxis(Pair& pair, const Each& each) {
-    for (std::size_t face = 0; face < pair.first.faces.size(); ++face)
-        if (!each(faceAxis(pair, false, face))) return;
-    for (std::size_t face = 0; face < pair.second.faces.size(); ++face)
-        if (!each(faceAxis(pair, true, face))) return;
-    pair.first_edges = edgesOf(pair.first);
-    pair.second_edges = edgesOf(pair.second);
-    const GaussMap map(pair);
-    for (std::size_t e = 0; e < pair.first_edges.size(); ++e)
-        for (std::size_t f = 0; f < pair.second_edges.size(); ++f) {
-            if (!map.cross(e, f)) continue;
-            const SeparatingAxis axis = edgeAxis(pair, e, f);
-            if (axis.is_edges && !each(axis)) return;
-        }
+    forEachAxis(pair, each, [](bool) { return -std::numeric_limits<double>::infinity(); });
 }
 
 }  // namespace talus::axes

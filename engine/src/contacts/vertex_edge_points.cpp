@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 using axes::Edge, axes::Pair, axes::SeparatingAxis;
-using axes::edgesOf, axes::faceAxis, axes::forEachAxis, axes::vertexOf;
+using axes::faceAxis, axes::findEdges, axes::forEachAxis, axes::vertexOf;
 
 constexpr double kOnOutline = 1e-9;  // of the face's longest edge: a vertex this far outside counts as inside
 
@@ -184,15 +184,26 @@ struct Meeting {
 /// times the tie.
 constexpr double kDeeperThanParts = 200.0;
 
+/// Axes of faces or edges along which they are no farther apart than this change nothing in what
+/// findVertexEdgePoints makes of the meeting, real or not. Nearer than the sharp axis by more than the tie, an
+/// axis could only replace the faces, which lose against the sharp axis either way. Nearer than the faces, it
+/// could only replace a sharp axis that loses against these. For a face's normal that has to be clear by twice
+/// the tie, since edges win against it only by more than the tie.
+double floorOf(bool of_edges, const Meeting& best, double tie) {
+    const double sharp = best.sharp.distance, faces = best.faces.distance;
+    if (of_edges) return std::max(faces, sharp - 2.0 * tie);
+    return std::max(std::min(sharp, faces), std::max(sharp, faces) - 2.0 * tie);
+}
+
 Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {
     Meeting best;
     double most = -std::numeric_limits<double>::infinity();
-    forEachAxis(pair, [&](SeparatingAxis axis) {
+    const auto look = [&](SeparatingAxis axis) {
         best.apart = axis.distance > limits.reach;
         best.apart_by = axis.distance;
         if (best.apart) return false;
         most = std::max(most, axis.distance);
-        if (axis.distance <= best.sharp.distance && axis.distance <= best.faces.distance) return true;
+        if (axis.distance <= floorOf(axis.is_edges, best, limits.tie)) return true;
         if (!isReal(pair, axis, limits.tie, {})) return true;
         if (meetsFaceToFace(pair, axis, limits)) {
             if (axis.distance > best.faces.distance) best.faces = axis;
@@ -201,7 +212,8 @@ Meeting findMeeting(Pair& pair, const VertexEdgeLimits& limits) {
             best.sharp = axis;
         }
         return true;
-    });
+    };
+    forEachAxis(pair, look, [&](bool of_edges) { return floorOf(of_edges, best, limits.tie); });
     const double deepest = most - kDeeperThanParts * limits.tie;
     best.met = best.apart || std::max(best.sharp.distance, best.faces.distance) >= deepest;
     return best;
@@ -223,20 +235,22 @@ struct FaceOutline {
     const WorldShape& shape;
     const std::vector<std::int32_t>& outline;
     Vec3 normal;
+    std::pmr::vector<Vec3> outward;  ///< of each line, unit
     double size = 0;
 
-    FaceOutline(const WorldShape& shape_, std::size_t face)
-        : shape(shape_), outline(shape_.faces[face]), normal(shape_.normals[face]) {
-        for (std::size_t i = 0; i < outline.size(); ++i)
-            size = std::max(size, (corner(i + 1) - corner(i)).norm());
+    FaceOutline(const WorldShape& shape_, std::size_t face, std::pmr::polymorphic_allocator<> memory)
+        : shape(shape_), outline(shape_.faces[face]), normal(shape_.normals[face]), outward(memory) {
+        outward.reserve(outline.size());
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const Vec3 line = corner(i + 1) - corner(i);
+            outward.push_back(line.cross(normal).normalized());
+            size = std::max(size, line.norm());
+        }
     }
     const Vec3& corner(std::size_t i) const { return vertexOf(shape, outline[i % outline.size()]); }
     double height(const Vec3& x) const { return normal.dot(x - corner(0)); }
     /// Distance beyond the i-th line, positive outside [m].
-    double beyond(std::size_t i, const Vec3& x) const {
-        const Vec3 out = (corner(i + 1) - corner(i)).cross(normal).normalized();
-        return out.dot(x - corner(i));
-    }
+    double beyond(std::size_t i, const Vec3& x) const { return outward[i].dot(x - corner(i)); }
     bool covers(const Vec3& x) const {
         for (std::size_t i = 0; i < outline.size(); ++i)
             if (beyond(i, x) > kOnOutline * size) return false;
@@ -272,7 +286,8 @@ std::int32_t faceOf(const WorldShape& shape, const Edge& edge, const Vec3& direc
 
 VertexEdgePoints pointsOnFace(Pair& pair, const SeparatingAxis& axis, double reach) {
     const WorldShape& other = pair.shape(!axis.second_is_reference);
-    const FaceOutline face(pair.shape(axis.second_is_reference), static_cast<std::size_t>(axis.face));
+    const FaceOutline face(pair.shape(axis.second_is_reference), static_cast<std::size_t>(axis.face),
+                           pair.first_edges.get_allocator());
     const Vec3 e1 = (face.corner(1) - face.corner(0)).normalized(), e2 = face.normal.cross(e1);
     VertexEdgePoints found;
     const auto add = [&](const Vec3& x, std::int32_t other_face) {
@@ -286,7 +301,7 @@ VertexEdgePoints pointsOnFace(Pair& pair, const SeparatingAxis& axis, double rea
             if (const auto at = incidentFace(other, static_cast<std::int32_t>(v), face.normal); at >= 0)
                 add(other.vertices[v], at);
     auto& edges = axis.second_is_reference ? pair.first_edges : pair.second_edges;
-    if (edges.empty()) edges = edgesOf(other);
+    if (edges.empty()) findEdges(other, edges);
     const PartOfBody* body = pair.shape(axis.second_is_reference).body;
     // Where the reference body's surface continues in another part, it has no edge.
     const auto addCrossing = [&](const Vec3& x, const Vec3& outward, std::int32_t other_face) {
@@ -367,15 +382,22 @@ double widthOf(const WorldShape& shape) {
     return most;
 }
 
+/// Whether a plane at this distance over a face of a part has the other part beyond it.
+bool isBeyondFaceOf(const WorldShape& reference, const WorldShape& other, double distance) {
+    for (std::size_t face = 0; face < reference.faces.size(); ++face) {
+        const Vec3 &normal = reference.normals[face], &origin = vertexOf(reference, reference.faces[face][0]);
+        // Most faces are passed over after one vertex.
+        if (std::all_of(other.vertices.begin(), other.vertices.end(),
+                        [&](const Vec3& v) { return normal.dot(v - origin) > distance; }))
+            return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 bool areApart(const WorldShape& first, const WorldShape& second, double distance) {
-    const Pair pair{first, second};
-    for (std::size_t face = 0; face < first.faces.size(); ++face)
-        if (faceAxis(pair, false, face).distance > distance) return true;
-    for (std::size_t face = 0; face < second.faces.size(); ++face)
-        if (faceAxis(pair, true, face).distance > distance) return true;
-    return false;
+    return isBeyondFaceOf(first, second, distance) || isBeyondFaceOf(second, first, distance);
 }
 
 Approach approachOf(const WorldShape& first, const WorldShape& second, const VertexEdgeLimits& limits,

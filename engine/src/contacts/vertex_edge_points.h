@@ -44,7 +44,8 @@ struct VertexEdgeLimits {
     /// Faces up to this angle from parallel, and this much more per overlap, meet face to face; such contacts
     /// are not sought here [rad, rad/m].
     double face_angle = 0, angle_per_depth = 0;
-    double tie = 0;    ///< a meeting of faces is preferred unless it is deeper by more than this [m]
+    /// A meeting of faces is preferred unless it is deeper by more than this; positive [m].
+    double tie = 0;
     double reach = 0;  ///< points farther open than this are left out [m]
 };
 

@@ -80,10 +80,11 @@ bool isPartlyOpen(const std::vector<Eigen::Vector2d>& outline, const Vec3& gap) 
     return least < 0 && most > 0;
 }
 
-/// The origin is the patch's centroid.
-Shares sharesOn(const std::vector<Eigen::Vector2d>& outline, const Vec3& gap, const PointRule& rule) {
-    if (rule.kind != PointRule::Kind::distributed || outline.size() == 1 || !isPartlyOpen(outline, gap))
-        return {};
+Shares sharesOf(const Interfaces& interfaces, std::size_t interface, const Vec3& gap, const PointRule& rule) {
+    if (rule.kind != PointRule::Kind::distributed || interfaces.cornerCount(interface) == 1) return {};
+    const std::vector<Eigen::Vector2d> outline = patchOutline(interfaces, interface);
+    if (!isPartlyOpen(outline, gap)) return {};
+    // The origin is the patch's centroid.
     const std::size_t m = outline.size();
     Shares shares{std::vector<double>(2 * m + 1)};
     std::vector<double> area(2 * m + 1);
@@ -166,46 +167,82 @@ std::vector<ContactPoint> contactPoints(const State& state, std::size_t i) {
     return contactPoints(contactsOf(state), i);
 }
 
-std::vector<ContactPoint> contactPoints(const Contacts& contacts, std::size_t i) {
+namespace {
+
+/// A contact point with its force. \param share  of the overlap, where the patch is partly open; else null
+ContactPoint pointAt(const Contacts& contacts, std::size_t i, std::size_t k, const contact::PatchPoint& place,
+                     const RelativePose& pose, const double* share) {
     constexpr double kNoRelease = 0.0;
     const Interfaces& f = contacts.interfaces;
     const contact::JointLaw& law = contacts.laws[static_cast<std::size_t>(f.joint[i])];
-    const RelativePose pose = relativePose(contacts.blocks, f, i);
-    const Shares shares = sharesOn(patchOutline(f, i), pose.gap, contacts.rule);
-    std::vector<ContactPoint> result;
+    ContactPoint point{.position = place.position,
+                       .area = place.area,
+                       .gap = affineAt(pose.gap, place.position),
+                       .force = {},
+                       .memory = contacts.points.memoryAt(f.pointSlot(i, k))};
+    if (share != nullptr) point.gap = contact::gapOfShare<double>(law, point.memory.bond, point.gap, *share);
+    contact::PointMemory scratch = point.memory;
+    point.force = contact::contactLaw(law, place.area, point.gap, affineAt(pose.slide_1, place.position),
+                                      affineAt(pose.slide_2, place.position), kNoRelease, scratch);
+    return point;
+}
+
+/// Calls use(point) for the contact points of an interface, in order.
+template <class Use>
+void forEachPoint(const Contacts& contacts, std::size_t i, const RelativePose& pose, const Shares& shares,
+                  const Use& use) {
+    const Interfaces& f = contacts.interfaces;
+    if (f.cornerCount(i) == 1) return use(pointAt(contacts, i, 0, onlyPoint(f, i), pose, nullptr));
+    std::size_t k = 0;
     for (const contact::PatchPoint& place : interfacePoints(f, i, contacts.rule)) {
-        const std::size_t k = result.size();
-        ContactPoint point{.position = place.position,
-                           .area = place.area,
-                           .gap = affineAt(pose.gap, place.position),
-                           .force = {},
-                           .memory = contacts.points.memoryAt(f.pointSlot(i, k))};
-        if (!shares.overlap.empty())
-            point.gap = contact::gapOfShare<double>(law, point.memory.bond, point.gap, shares.overlap[k]);
-        contact::PointMemory scratch = point.memory;
-        point.force = contact::contactLaw(law, place.area, point.gap, affineAt(pose.slide_1, place.position),
-                                          affineAt(pose.slide_2, place.position), kNoRelease, scratch);
-        result.push_back(point);
+        use(pointAt(contacts, i, k, place, pose, shares.overlap.empty() ? nullptr : &shares.overlap[k]));
+        ++k;
     }
+}
+
+/// Whether a patch is open all over, by more than rounding, and has no bond: then it holds no energy.
+bool isClearlyOpen(const Contacts& contacts, std::size_t i, const Vec3& gap) {
+    constexpr double kRounding = 1e-9;  // of the widest gap
+    const Interfaces& f = contacts.interfaces;
+    if (contacts.points.remembers() || contacts.laws[static_cast<std::size_t>(f.joint[i])].curved)
+        return false;
+    double least = kInfinity, most = 0;
+    for (std::size_t k = 0; k < f.cornerCount(i); ++k) {
+        const std::size_t slot = f.cornerSlot(i, k);
+        const double at_corner = affineAt(gap, {f.corners.get(slot, 0), f.corners.get(slot, 1)});
+        least = std::min(least, at_corner);
+        most = std::max(most, at_corner);
+    }
+    return least > kRounding * most;
+}
+
+}  // namespace
+
+std::vector<ContactPoint> contactPoints(const Contacts& contacts, std::size_t i) {
+    const RelativePose pose = relativePose(contacts.blocks, contacts.interfaces, i);
+    std::vector<ContactPoint> result;
+    result.reserve(contacts.interfaces.pointCount(i));
+    forEachPoint(contacts, i, pose, sharesOf(contacts.interfaces, i, pose.gap, contacts.rule),
+                 [&](const ContactPoint& point) { result.push_back(point); });
     return result;
 }
 
 double storedEnergy(const Contacts& contacts, std::size_t i) {
     const contact::JointLaw& law = contacts.laws[static_cast<std::size_t>(contacts.interfaces.joint[i])];
+    const RelativePose pose = relativePose(contacts.blocks, contacts.interfaces, i);
+    if (isClearlyOpen(contacts, i, pose.gap)) return 0.0;
+    const Shares shares = sharesOf(contacts.interfaces, i, pose.gap, contacts.rule);
     double sum = 0;
     bool share_all = true;
-    const std::vector<ContactPoint> points = contactPoints(contacts, i);
-    for (const ContactPoint& point : points) {
+    forEachPoint(contacts, i, pose, shares, [&](const ContactPoint& point) {
         sum += contact::storedEnergy(law, point.area, point.memory.bond, point.force);
         share_all = share_all && contact::followsShare<double>(law, point.memory.bond) == 1;
-    }
-    if (!share_all || contacts.rule.kind != PointRule::Kind::distributed) return sum;
-    const Shares shares = sharesOn(patchOutline(contacts.interfaces, i),
-                                   relativePose(contacts.blocks, contacts.interfaces, i).gap, contacts.rule);
-    if (shares.overlap.empty()) return sum;
+    });
+    if (!share_all || shares.overlap.empty()) return sum;
     // The pressure varies over a share: the energy is that of the pressure, not of its mean.
-    for (const ContactPoint& point : points)
+    forEachPoint(contacts, i, pose, shares, [&](const ContactPoint& point) {
         sum -= contact::normalEnergy(law, point.area, point.force.normal);
+    });
     return sum + law.normal_stiffness * shares.energy;
 }
 

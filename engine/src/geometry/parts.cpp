@@ -43,13 +43,25 @@ std::span<const Vec3> verticesOf(const Polyhedron& shape, const ConvexPart& part
 }
 
 bool areOpposite(const Vec3& normal_1, const Vec3& normal_2) {
-    return (normal_1 + normal_2).norm() <= kOpposite;
+    constexpr double kClearly = 1.01;  // more than rounding: most pairs need no square root
+    const double square = (normal_1 + normal_2).squaredNorm();
+    return square <= kClearly * kOpposite * kOpposite && std::sqrt(square) <= kOpposite;
+}
+
+Polygon outlineIn(const FaceFrame& frame, const Polyhedron& shape, std::size_t face) {
+    Polygon outline;
+    for (const std::int32_t v : shape.faces[face])
+        outline.push(frame.toPlane(shape.vertices[static_cast<std::size_t>(v)]));
+    return outline;
 }
 
 /// The part of a face `under` that another part's face covers; empty when it does not.
-Polygon commonPart(const Polyhedron& shape, std::size_t under, std::size_t over, double touch) {
-    if (!areOpposite(shape.faceNormal(under), shape.faceNormal(over))) return {};
-    const FaceFrame frame = faceFrame(shape, under);
+/// \param normal  of `under`. \pre the normals are opposite
+Polygon commonPart(const Polyhedron& shape, std::size_t under, const Vec3& normal, std::size_t over,
+                   double touch) {
+    const auto& own = shape.faces[under];
+    const FaceFrame frame = faceFrame(shape.vertices[static_cast<std::size_t>(own[0])],
+                                      shape.vertices[static_cast<std::size_t>(own[1])], normal);
     const auto& outline = shape.faces[over];
     Polygon other;
     for (std::size_t i = outline.size(); i-- > 0;) {
@@ -57,7 +69,7 @@ Polygon commonPart(const Polyhedron& shape, std::size_t under, std::size_t over,
         if (std::abs(frame.height(v)) > touch) return {};
         other.push(frame.toPlane(v));
     }
-    return intersect(outlineOf(shape, under), other);
+    return intersect(outlineIn(frame, shape, under), other);
 }
 
 /// All parts' vertices and faces one after the other; nothing is known of covers yet.
@@ -191,7 +203,7 @@ class Joiner {
                 const std::size_t under = static_cast<std::size_t>(first.first_face) + f,
                                   over = static_cast<std::size_t>(second.first_face) + g;
                 if (!areOpposite(normals_[under], normals_[over])) continue;
-                const Polygon common = commonPart(whole_, under, over, touch_);
+                const Polygon common = commonPart(whole_, under, normals_[under], over, touch_);
                 if (common.empty()) continue;
                 const double shared = area(common);
                 covered_[under] += shared;
@@ -268,10 +280,10 @@ Result<Polyhedron> joinParts(const std::vector<Polyhedron>& parts) {
 }
 
 std::optional<Polyhedron> unionOf(const std::vector<Polyhedron>& bodies) {
+    if (bodies.size() < 2) return {};
     std::vector<Polyhedron> parts;
     for (const Polyhedron& body : bodies)
         for (Polyhedron& part : partsOf(body)) parts.push_back(std::move(part));
-    if (bodies.size() < 2) return {};
     return Joiner(parts).unite(bodies);
 }
 
@@ -337,11 +349,7 @@ std::vector<std::int32_t> sideTowards(const Polyhedron& shape, const Vec3& direc
 }
 
 Polygon outlineOf(const Polyhedron& shape, std::size_t face) {
-    const FaceFrame frame = faceFrame(shape, face);
-    Polygon outline;
-    for (const std::int32_t v : shape.faces[face])
-        outline.push(frame.toPlane(shape.vertices[static_cast<std::size_t>(v)]));
-    return outline;
+    return outlineIn(faceFrame(shape, face), shape, face);
 }
 
 std::vector<Polygon> coversOf(const Polyhedron& shape, std::size_t face) {
@@ -349,10 +357,13 @@ std::vector<Polygon> coversOf(const Polyhedron& shape, std::size_t face) {
     if (shape.faces.covers().empty() || shape.faces.covers()[face] == Cover::none) return covers;
     const auto& parts = shape.faces.parts();
     const double touch = kTouchingFaces * extentOf(shape);
+    const Vec3 normal = shape.faceNormal(face);
     for (const std::int32_t beside : parts[partOf(shape.faces, face)].beside) {
         const ConvexPart& other = parts[static_cast<std::size_t>(beside)];
         for (std::size_t f = 0; f < faceCount(other); ++f) {
-            Polygon common = commonPart(shape, face, static_cast<std::size_t>(other.first_face) + f, touch);
+            const std::size_t over = static_cast<std::size_t>(other.first_face) + f;
+            if (!areOpposite(normal, shape.faceNormal(over))) continue;
+            Polygon common = commonPart(shape, face, normal, over, touch);
             if (!common.empty()) covers.push_back(std::move(common));
         }
     }

@@ -20,34 +20,23 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
     return a * 0xbf58476d1ce4e5b9ULL;
 }
 
-/// The part of an outline on one side of a plane (`sign` -1 below, 1 above), with what lies in the plane.
-Outline partOf(const Outline& outline, const Plane& plane, int sign, VertexTable& vertices) {
-    Outline part;
-    bool has_inside = false;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const std::int32_t a = outline[i], b = outline[i + 1 < outline.size() ? i + 1 : 0];
-        const int side_a = sign * vertices.side(plane, a), side_b = sign * vertices.side(plane, b);
-        has_inside = has_inside || side_a > 0;
-        if (side_a >= 0) part.push_back(a);
-        if (side_a * side_b < 0) part.push_back(vertices.cut(plane, a, b));
-    }
-    part.erase(std::unique(part.begin(), part.end()), part.end());
-    while (part.size() > 1 && part.front() == part.back()) part.pop_back();
-    if (part.size() < 3 || !has_inside) part.clear();
-    return part;
+/// One whole number for an edge, in the order of pairs: it sorts faster.
+std::uint64_t edgeKey(std::int32_t from, std::int32_t to) {
+    return static_cast<std::uint64_t>(from) << 32U | static_cast<std::uint64_t>(to);
 }
 
 /// Edges of the faces without a twin, sorted by their start; nothing if an edge occurs twice.
 bool openEdges(const std::vector<CellFace>& faces, std::vector<Edge>& open) {
-    std::vector<Edge> edges;
+    std::vector<std::uint64_t> edges;
     for (const CellFace& face : faces)
         for (std::size_t i = 0; i < face.outline.size(); ++i)
-            edges.emplace_back(face.outline[i], face.outline[i + 1 < face.outline.size() ? i + 1 : 0]);
+            edges.push_back(edgeKey(face.outline[i], face.outline[i + 1 < face.outline.size() ? i + 1 : 0]));
     std::sort(edges.begin(), edges.end());
     if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) return false;
-    for (const Edge& edge : edges)
-        if (!std::binary_search(edges.begin(), edges.end(), Edge{edge.second, edge.first}))
-            open.push_back(edge);
+    for (const std::uint64_t edge : edges) {
+        const auto from = static_cast<std::int32_t>(edge >> 32U), to = static_cast<std::int32_t>(edge);
+        if (!std::binary_search(edges.begin(), edges.end(), edgeKey(to, from))) open.emplace_back(from, to);
+    }
     return true;
 }
 
@@ -66,20 +55,70 @@ Outline cycleOf(const std::vector<Edge>& edges) {
     return cycle.size() == edges.size() ? cycle : Outline{};
 }
 
-/// The part of a cell on one side, closed by a face in the plane; no faces if it cannot be closed.
-Cell partOf(const Cell& cell, const Plane& plane, std::int32_t index, int sign, VertexTable& vertices) {
-    Cell part;
-    for (const CellFace& face : cell.faces) {
-        Outline outline = partOf(face.outline, plane, sign, vertices);
-        if (!outline.empty()) part.faces.push_back({face.plane, face.outward, std::move(outline)});
+/// A cell that a plane may cut: on which side its corners are, and where the plane meets its edges. Both are
+/// found once, for the two parts and for all faces of a corner or an edge.
+class CellAtPlane {
+ public:
+    CellAtPlane(const Cell& cell, const Plane& plane, VertexTable& vertices)
+        : cell_(cell), plane_(plane), vertices_(vertices) {
+        for (const CellFace& face : cell.faces)
+            for (const std::int32_t v : face.outline) sides_.push_back(vertices.side(plane, v));
     }
-    std::vector<Edge> open;
-    Outline cap = openEdges(part.faces, open) ? cycleOf(open) : Outline{};
-    if (cap.empty()) return {};
-    std::reverse(cap.begin(), cap.end());
-    part.faces.push_back({index, sign < 0, std::move(cap)});
-    return part;
-}
+
+    /// Whether a corner is below (-1) or above (1).
+    bool reaches(int side) const { return std::find(sides_.begin(), sides_.end(), side) != sides_.end(); }
+
+    /// The part on one side (`sign` -1 below, 1 above), closed by a face in the plane; no faces if it cannot
+    /// be closed.
+    Cell part(std::int32_t index, int sign) {
+        Cell part;
+        std::size_t first = 0;
+        for (const CellFace& face : cell_.faces) {
+            Outline outline = partOf(face.outline, first, sign);
+            first += face.outline.size();
+            if (!outline.empty()) part.faces.push_back({face.plane, face.outward, std::move(outline)});
+        }
+        std::vector<Edge> open;
+        Outline cap = openEdges(part.faces, open) ? cycleOf(open) : Outline{};
+        if (cap.empty()) return {};
+        std::reverse(cap.begin(), cap.end());
+        part.faces.push_back({index, sign < 0, std::move(cap)});
+        return part;
+    }
+
+ private:
+    /// The part of an outline, with what lies in the plane. \param first  its first corner in `sides_`
+    Outline partOf(const Outline& outline, std::size_t first, int sign) {
+        Outline part;
+        bool has_inside = false;
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const std::size_t next = i + 1 < outline.size() ? i + 1 : 0;
+            const int side_a = sign * sides_[first + i], side_b = sign * sides_[first + next];
+            has_inside = has_inside || side_a > 0;
+            if (side_a >= 0) part.push_back(outline[i]);
+            if (side_a * side_b < 0) part.push_back(cut(outline[i], outline[next]));
+        }
+        part.erase(std::unique(part.begin(), part.end()), part.end());
+        while (part.size() > 1 && part.front() == part.back()) part.pop_back();
+        if (part.size() < 3 || !has_inside) part.clear();
+        return part;
+    }
+
+    std::int32_t cut(std::int32_t a, std::int32_t b) {
+        const Edge edge = std::minmax(a, b);
+        const auto known =
+            std::find_if(cuts_.begin(), cuts_.end(), [&](const auto& c) { return c.first == edge; });
+        if (known != cuts_.end()) return known->second;
+        cuts_.emplace_back(edge, vertices_.cut(plane_, a, b));
+        return cuts_.back().second;
+    }
+
+    const Cell& cell_;
+    const Plane& plane_;
+    VertexTable& vertices_;
+    std::vector<int> sides_;                           ///< of the corners of all faces in turn
+    std::vector<std::pair<Edge, std::int32_t>> cuts_;  ///< edges, and the vertex at which each is cut
+};
 
 /// Removes vertices at which only two faces of a cell meet: they lie on a straight edge.
 void dropStraightVertices(Cell& cell) {
@@ -152,32 +191,44 @@ void keepDistinct(std::vector<std::int32_t>& numbers) {
 
 }  // namespace
 
-std::uint64_t VertexTable::keyOf(const Vec3& position) const {
-    std::uint64_t key = 0;
-    for (int axis = 0; axis < 3; ++axis)
-        key = mixed(
-            key, static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(position[axis] / cell_))));
-    return key;
+std::int64_t VertexTable::stepOf(double coordinate) const {
+    return static_cast<std::int64_t>(std::floor(coordinate / cell_));
+}
+
+std::uint64_t VertexTable::keyOf(std::int64_t x, std::int64_t y, std::int64_t z) {
+    return mixed(mixed(mixed(0, static_cast<std::uint64_t>(x)), static_cast<std::uint64_t>(y)),
+                 static_cast<std::uint64_t>(z));
+}
+
+std::int32_t VertexTable::findIn(std::uint64_t key, const Vec3& position) const {
+    const auto bucket = first_.find(key);
+    if (bucket == first_.end()) return -1;
+    std::int32_t v = bucket->second;
+    while (v >= 0 && ((*this)[v] - position).cwiseAbs().maxCoeff() > weld_)
+        v = next_[static_cast<std::size_t>(v)];
+    return v;
+}
+
+std::int32_t VertexTable::find(const Vec3& position) const {
+    // The buckets that a cube of the weld distance about the position reaches: often one.
+    std::array<std::int64_t, 3> low, high;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double at = position[static_cast<Eigen::Index>(axis)];
+        low[axis] = stepOf(at - weld_);
+        high[axis] = stepOf(at + weld_);
+    }
+    for (std::int64_t z = low[2]; z <= high[2]; ++z)
+        for (std::int64_t y = low[1]; y <= high[1]; ++y)
+            for (std::int64_t x = low[0]; x <= high[0]; ++x)
+                if (const std::int32_t v = findIn(keyOf(x, y, z), position); v >= 0) return v;
+    return -1;
 }
 
 std::int32_t VertexTable::add(const Vec3& position) {
-    std::array<std::uint64_t, 8> keys;
-    std::size_t count = 0;
-    // The buckets that a cube of the weld distance about the position reaches: nearly always one.
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 shift(corner & 1 ? weld_ : -weld_, corner & 2 ? weld_ : -weld_,
-                         corner & 4 ? weld_ : -weld_);
-        const std::uint64_t key = keyOf(position + shift);
-        if (std::find(keys.begin(), keys.begin() + count, key) == keys.begin() + count) keys[count++] = key;
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-        const auto bucket = first_.find(keys[k]);
-        if (bucket == first_.end()) continue;
-        for (std::int32_t v = bucket->second; v >= 0; v = next_[static_cast<std::size_t>(v)])
-            if (((*this)[v] - position).cwiseAbs().maxCoeff() <= weld_) return v;
-    }
+    if (const std::int32_t known = find(position); known >= 0) return known;
     const auto vertex = static_cast<std::int32_t>(positions_.size());
-    const auto [bucket, is_new] = first_.try_emplace(keyOf(position), vertex);
+    const auto [bucket, is_new] =
+        first_.try_emplace(keyOf(stepOf(position.x()), stepOf(position.y()), stepOf(position.z())), vertex);
     positions_.push_back(position);
     next_.push_back(is_new ? -1 : bucket->second);
     bucket->second = vertex;
@@ -194,18 +245,10 @@ std::int32_t VertexTable::cut(const Plane& plane, std::int32_t a, std::int32_t b
 }
 
 Split split(const Cell& cell, const std::vector<Plane>& planes, std::int32_t index, VertexTable& vertices) {
-    const Plane& plane = planes[static_cast<std::size_t>(index)];
-    bool has_lower = false, has_upper = false;
-    for (const CellFace& face : cell.faces)
-        for (const std::int32_t v : face.outline) {
-            const int side = vertices.side(plane, v);
-            has_lower = has_lower || side < 0;
-            has_upper = has_upper || side > 0;
-        }
-    if (!has_upper) return {Split::Kind::below};
-    if (!has_lower) return {Split::Kind::above};
-    Split result{Split::Kind::cut, partOf(cell, plane, index, -1, vertices),
-                 partOf(cell, plane, index, 1, vertices)};
+    CellAtPlane at(cell, planes[static_cast<std::size_t>(index)], vertices);
+    if (!at.reaches(1)) return {Split::Kind::below};
+    if (!at.reaches(-1)) return {Split::Kind::above};
+    Split result{Split::Kind::cut, at.part(index, -1), at.part(index, 1)};
     if (result.lower.faces.size() < 4 || result.upper.faces.size() < 4) result.kind = Split::Kind::failed;
     return result;
 }

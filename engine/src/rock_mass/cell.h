@@ -47,7 +47,11 @@ class VertexTable {
     std::int32_t cut(const Plane& plane, std::int32_t a, std::int32_t b);
 
  private:
-    std::uint64_t keyOf(const Vec3& position) const;
+    std::int64_t stepOf(double coordinate) const;
+    static std::uint64_t keyOf(std::int64_t x, std::int64_t y, std::int64_t z);
+    /// A vertex there, -1: none.
+    std::int32_t find(const Vec3& position) const;
+    std::int32_t findIn(std::uint64_t key, const Vec3& position) const;
 
     double weld_, cell_;
     std::vector<Vec3> positions_;

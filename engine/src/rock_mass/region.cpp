@@ -194,11 +194,14 @@ class Decomposer {
     }
 
     /// Whether a triangle has a part inside the cell, deeper than flat faces may be uneven. Most triangles
-    /// are told by their corners: all are clearly outside one face, or one is inside all faces.
+    /// are told by their corners: all are clearly outside one face, or one is inside all faces. The last face
+    /// is tried first: the last cut made it, and only it can lie before a triangle that reached into the cell
+    /// before that cut.
     bool reachesInto(const Cell& cell, const Facet& facet) {
         const double clearly = kRounding * extent_;
         std::array<bool, 3> is_in{true, true, true};
-        for (const CellFace& face : cell.faces) {
+        for (std::size_t f = cell.faces.size(); f-- > 0;) {
+            const CellFace& face = cell.faces[f];
             std::array<double, 3> heights;
             for (std::size_t i = 0; i < 3; ++i) {
                 heights[i] = outside(face, facet.corner[i]);
@@ -233,13 +236,21 @@ class Decomposer {
         const std::size_t step = 1 + facets.size() / kCandidates;
         for (std::size_t k = 0; k < facets.size(); k += step) {
             const Plane& plane = planes_[static_cast<std::size_t>(facets_[facets[k]].plane)];
-            const auto cuts = static_cast<std::size_t>(
-                std::count_if(facets.begin(), facets.end(), [&](std::size_t t) { return isCut(plane, t); }));
+            const std::size_t cuts = countCuts(plane, facets, fewest);
             const double size = areaVector(facets[k]).norm();
             if (cuts > fewest || (cuts == fewest && size <= largest)) continue;
             best = facets[k], fewest = cuts, largest = size;
         }
         return best;
+    }
+
+    /// How many triangles a plane cuts; of more than `most` one more than that.
+    std::size_t countCuts(const Plane& plane, const std::vector<std::size_t>& facets,
+                          std::size_t most) const {
+        std::size_t cuts = 0;
+        for (std::size_t k = 0; k < facets.size() && cuts <= most; ++k)
+            cuts += isCut(plane, facets[k]) ? 1 : 0;
+        return cuts;
     }
 
     bool isCut(const Plane& plane, std::size_t t) const {

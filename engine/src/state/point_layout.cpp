@@ -69,10 +69,15 @@ void ContactPoints::setMemory(std::size_t slot, const contact::PointMemory& valu
     memory.set(slot, 3, value.dilation);
 }
 
+contact::PatchPoint onlyPoint(const Interfaces& f, std::size_t i) {
+    assert(f.cornerCount(i) == 1);
+    const std::size_t slot = f.cornerSlot(i, 0);
+    return {{f.corners.get(slot, 0), f.corners.get(slot, 1)}, f.area[i]};
+}
+
 std::vector<contact::PatchPoint> interfacePoints(const Interfaces& f, std::size_t i, const PointRule& rule) {
-    const std::vector<Eigen::Vector2d> outline = patchOutline(f, i);
-    if (outline.size() == 1) return {{outline[0], f.area[i]}};
-    return contact::patchPoints(outline, rule);
+    if (f.cornerCount(i) == 1) return {onlyPoint(f, i)};
+    return contact::patchPoints(patchOutline(f, i), rule);
 }
 
 void makePoints(State& state) {

@@ -24,8 +24,11 @@ void placeCorners(Interfaces& f, std::size_t i, const std::vector<Eigen::Vector2
 /// The corners again.
 std::vector<Eigen::Vector2d> patchOutline(const Interfaces& interfaces, std::size_t interface);
 
-/// Its contact points; the one of a vertex or edge contact, whose patch has one corner, stands for the
-/// interface's whole area.
+/// The contact point of a vertex or edge contact, whose patch has one corner. It stands for the interface's
+/// whole area.
+contact::PatchPoint onlyPoint(const Interfaces& interfaces, std::size_t interface);
+
+/// The contact points of an interface.
 std::vector<contact::PatchPoint> interfacePoints(const Interfaces& interfaces, std::size_t interface,
                                                  const PointRule& rule);
 

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/geometry/random_shapes.h"
 
 using namespace talus;
@@ -206,5 +209,39 @@ TEST_SUITE("contacts") {
             CHECK(area(pairs[0].patch) == within(1e-10, 0.13 * 0.07));
             CHECK(std::abs(pairs[0].gap) < 1e-12);
         }
+    }
+
+    TEST_CASE("faces farther from parallel than their overlap allows are left out, and no others") {
+        Random random(68);
+        std::size_t kept = 0, left_out = 0;
+        for (int trial = 0; trial < 60; ++trial) {
+            CAPTURE(trial);
+            const Polyhedron a = moved(randomPolyhedron(random, 9), random.rotation(), random.inBox(0.6)),
+                             b = moved(randomPolyhedron(random, 9), random.rotation(), random.inBox(0.6));
+            FacePairLimits limits{.max_gap = 0.1, .max_overlap = 0.5, .max_angle = 0.8};
+            std::vector<FacePair> expected = facePairs(a, b, limits);
+            limits.touching_angle = 0.2;
+            limits.angle_per_depth = 1.5;
+            limits.size = 0.9;
+            const std::size_t all = expected.size();
+            std::erase_if(expected, [&](const FacePair& pair) {
+                const double chord = (a.faceNormal(static_cast<std::size_t>(pair.face_a)) +
+                                      b.faceNormal(static_cast<std::size_t>(pair.face_b)))
+                                         .norm();
+                const double angle = 0.2 + 1.5 * std::max(0.0, -pair.least_gap) / 0.9;
+                return chord > 2 * std::sin(0.5 * std::min(angle, 0.8));
+            });
+            const std::vector<FacePair> found = facePairs(a, b, limits);
+            REQUIRE(found.size() == expected.size());
+            for (std::size_t k = 0; k < found.size(); ++k) {
+                CHECK(found[k].face_a == expected[k].face_a);
+                CHECK(found[k].face_b == expected[k].face_b);
+                CHECK(found[k].least_gap == expected[k].least_gap);
+            }
+            kept += expected.size();
+            left_out += all - expected.size();
+        }
+        CHECK(kept > 20);
+        CHECK(left_out > 30);
     }
 }

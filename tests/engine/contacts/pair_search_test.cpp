@@ -209,6 +209,47 @@ TEST_SUITE("contacts") {
         CHECK(overlapping > 30);
     }
 
+    TEST_CASE(
+        "examinePairs: faces are left out by the whole depth of their blocks, however little is looked at") {
+        Random random(95);
+        std::size_t kept = 0, left_out = 0;
+        for (int trial = 0; trial < 6; ++trial) {
+            const State state = packing(random, 30, 1.2);
+            const double margin = 0.02;
+            const Findings findings = examine(state, margin, false, false);
+            for (const auto& [blocks, finding] : findings) {
+                const auto a = static_cast<std::size_t>(finding.block_a),
+                           b = static_cast<std::size_t>(finding.block_b);
+                const double size = smallerSize(state, finding.block_a, finding.block_b);
+                const Placed first(placedShape(state, a)), second(placedShape(state, b));
+                std::vector<FacePair> expected = findFacePairs(first.world(), second.world(),
+                                                               {.max_gap = margin,
+                                                                .max_overlap = 0.5 * size,
+                                                                .max_angle = 0.8,
+                                                                .touching_angle = kFaceAngle,
+                                                                .angle_per_depth = kFaceAnglePerDepth,
+                                                                .size = size});
+                const double closed = kClosedGap * size;
+                const double depth = std::max(0.0, -separation(first.shape, second.shape));
+                left_out += expected.size();
+                std::erase_if(expected,
+                              [&](const FacePair& pair) { return -pair.least_gap > 2.0 * depth + closed; });
+                left_out -= expected.size();
+                const auto faces = [&](const std::vector<FacePair>& pairs) {
+                    std::vector<std::pair<std::int32_t, std::int32_t>> numbers;  // but of slivers
+                    for (const FacePair& pair : pairs)
+                        if (area(pair.patch) >= vertexEdgeArea(*state.geometry, a, b))
+                            numbers.emplace_back(pair.face_a, pair.face_b);
+                    return numbers;
+                };
+                CHECK(faces(finding.faces) == faces(expected));
+                kept += expected.size();
+            }
+        }
+        CHECK(kept > 50);
+        CHECK(left_out > 20);
+    }
+
     TEST_CASE("examinePairs: the faces of a pressed pair are those that findFacePairs finds there") {
         const State state = *buildState(stackModel(5, 4, 3, 30), false);
         const double margin = 0.005;
