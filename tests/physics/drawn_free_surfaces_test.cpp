@@ -20,11 +20,21 @@ namespace {
 
 constexpr const char* kRock =
     "[material.rock]\ndensity = 2600.0\n[joint.default]\nfriction_deg = 35.0\n"
+    "normal_stiffness = 1e10\nshear_stiffness = 1e9\n[joint.bedding]\nfriction_deg = 30.0\n"
     "normal_stiffness = 1e10\nshear_stiffness = 1e9\n";
 
 std::string boundary(const std::string& where, const std::string& what) {
     static int count = 0;
     return "[[flow.boundary]]\nname = \"b" + std::to_string(++count) + "\"\n" + where + "\n" + what + "\n";
+}
+
+/// Equal apertures, or beds that conduct up to a thousand times as much as other joints, or as little.
+std::string apertures(Draw& draw) {
+    const std::string all = "[flow]\naperture = 1e-4\n";
+    if (draw.one(0, 1) == 0) return all;
+    std::ostringstream text;
+    text << all << "[flow.joint.bedding]\naperture = " << draw.magnitude(1e-5, 1e-3) << "\n";
+    return text.str();
 }
 
 std::string head(double value) { return "head = " + std::to_string(value); }
@@ -60,6 +70,7 @@ std::string jointSet(Draw& draw, double dip, int direction, double spacing) {
     std::ostringstream text;
     text << "[[joint_set]]\nname = \"s" << direction << "\"\ndip_deg = " << dip
          << "\ndip_direction_deg = " << direction << "\nspacing = " << spacing << "\n";
+    if (direction == 270) text << "joint = \"bedding\"\n";
     if (draw.one(0, 1) == 0)
         text << "spacing_law = \"uniform\"\nspacing_spread = " << draw.between(0.1, 0.35) << "\n";
     return text.str();
@@ -71,7 +82,7 @@ std::string slope(Draw& draw) {
          << "[rock_mass]\nregion = { y = [0, 1], profile = [[0, -2], [18, -2], [18, 12], [6, 12], [0, 0]] }\n"
             "fixed = [{ boundary = \"-z\" }, { boundary = \"+x\" }]\nmin_thickness = 0.001\n"
          << jointSet(draw, draw.between(5, 35), 270, draw.between(0.6, 1.4))
-         << jointSet(draw, draw.between(60, 88), 90, draw.between(0.6, 1.4)) << "[flow]\naperture = 1e-4\n"
+         << jointSet(draw, draw.between(60, 88), 90, draw.between(0.6, 1.4)) << apertures(draw)
          << boundary("box = { min = [16, 0, -2], max = [18, 1, 12] }", head(draw.between(6.5, 10.5)))
          << boundary("face = \"-x\"", "outlet = true") << boundary("face = \"+z\"", "outlet = true");
     return text.str();
@@ -85,7 +96,7 @@ std::string boxInSpace(Draw& draw) {
          << "] } }\nfixed = [{ boundary = \"-z\" }]\nmin_thickness = 0.001\n"
          << jointSet(draw, draw.between(5, 30), 270, draw.between(1.2, 2.2))
          << jointSet(draw, draw.between(70, 88), 90, draw.between(1.2, 2.2))
-         << jointSet(draw, draw.between(75, 89), 0, draw.between(1.5, 3)) << "[flow]\naperture = 1e-4\n"
+         << jointSet(draw, draw.between(75, 89), 0, draw.between(1.5, 3)) << apertures(draw)
          << boundary("face = \"+x\"", head(upstream)) << lowEnd(draw, upstream);
     return text.str();
 }

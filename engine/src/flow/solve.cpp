@@ -50,6 +50,7 @@ class Solver {
     /// Heads of full joints. \return whether outlets still open and close
     bool fill() {
         equations_.openOutlets();
+        heads_.setZero();
         bool switched = true;
         for (int k = 0; switched && k < kOutletSwitches; ++k, ++iterations_) {
             solveFull();
@@ -76,6 +77,7 @@ class Solver {
         return rest;
     }
 
+    /// By halves from a ramp as high as a polygon: each begins with the heads of the one before.
     bool narrow(double last) {
         fill();
         double ramp = std::max(last, equations_.height());
@@ -87,6 +89,7 @@ class Solver {
         return found;
     }
 
+    /// Steps from the heads as they are until nothing changes. \return whether that was found
     bool settle(double ramp) {
         double step = kFirstStep;
         for (int k = 0; k < kSteps; ++k, ++iterations_) {

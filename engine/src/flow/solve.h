@@ -4,13 +4,12 @@
 //   begin:  heads of full joints
 //   step:   (dR/dh + S / dt) dh = -R, outlets opened and closed before it
 //           (pseudo-transient continuation: Kelley and Keyes 1998, SIAM J. on Numerical Analysis 35, 508)
-//   next:   dt grows while the imbalance does not; else it shrinks and the step is taken again
-//           It shrinks, too, where outlets switch: long steps may open and close the same one for ever
+//   next:   dt grows; where the imbalance grew fourfold it shrinks, and the step is taken again
+//           It also shrinks where outlets switch, because long steps may open and close one without end
 //
-// S is the storage of an unconfined joint, whose water stands higher as its head rises. No answer contains it:
-// each node has as much as its conductances, so that all take part in a step alike. With dt the steps become
-// those of Newton's method. A ramp that does not settle at once is reached from wider ones, each from the heads
-// of the one before. The equations have one solution, so the answer is the same.
+// S is the storage of an unconfined joint, whose water stands higher as its head rises. No answer contains it.
+// The storage of a node is proportional to its conductances, so that all nodes change at one rate. The longer
+// the steps, the nearer they are to Newton's. If the ramp does not settle at once, wider ones come first.
 
 #include <vector>
 
