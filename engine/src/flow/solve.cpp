@@ -124,13 +124,13 @@ class Solver {
         double growth = kInfinity;  ///< of the imbalance, summed over the nodes
     };
 
-    /// The growth is infinite where the step's matrix has no inverse.
+    /// The growth is infinite where the step's system has no solution.
     Stepped stepped(double ramp, double step) {
         const Wetness wetness = equations_.wetnessOf(heads_, ramp);
         const Vector rest = unbalanced(heads_, wetness);
         SparseMatrix matrix = equations_.derivative(heads_, wetness);
         equations_.addStorage(1 / step, matrix);
-        const std::optional<Vector> change = newton_.solve(matrix, rest);
+        const std::optional<Vector> change = system_.solve(matrix, rest);
         if (!change) return {heads_};
         Vector heads = heads_ + *change;
         equations_.stopInRamp(heads_, ramp, heads);
@@ -163,7 +163,7 @@ class Solver {
     Vector heads_;  ///< above the datum [m]
     Eigen::SimplicialLDLT<SparseMatrix> cholesky_;
     bool analysed_ = false;
-    LinearSystem newton_;
+    LinearSystem system_;
     int iterations_ = 0;
     double residual_ = 0;
 };
