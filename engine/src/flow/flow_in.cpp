@@ -96,13 +96,12 @@ class Answer {
         const std::string tried = " after " + std::to_string(heads.iterations) +
                                   " iterations; the last one left " + formatted("%.2g", heads.residual) +
                                   " of the inflow unbalanced at a node; allowed: ";
-        if (flow_.free_surface)
-            return "found no free surface" + tried +
-                   "a finer network (flow.refinements), or free_surface = false";
         const auto [least, most] = std::minmax_element(transmissivity_.begin(), transmissivity_.end());
-        return "found no heads that balance the flow" + tried +
-               "apertures that differ less; the largest is " + formatted("%.2g", std::cbrt(*most / *least)) +
-               " times the smallest";
+        const std::string apertures = "apertures that differ less; the largest is " +
+                                      formatted("%.2g", std::cbrt(*most / *least)) + " times the smallest";
+        if (!flow_.free_surface) return "found no heads that balance the flow" + tried + apertures;
+        const std::string finer = "a finer network (flow.refinements), or free_surface = false";
+        return "found no free surface" + tried + finer + (*most > *least ? "; or " + apertures : "");
     }
 
     void addNodes() {
