@@ -1,29 +1,15 @@
 #include "support/drawn_models.h"
 
 #include <cmath>
-#include <random>
 #include <sstream>
 #include <vector>
+
+#include "support/draw.h"
 
 namespace talus::test {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-
-class Draw {
- public:
-    explicit Draw(unsigned seed) : random_(seed) {}
-    double between(double low, double high) {
-        // The library's distributions differ between implementations.
-        return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
-    }
-    /// As likely between 1 and 10 as between 10 and 100.
-    double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
-    int one(int low, int high) { return low + static_cast<int>(random_() % unsigned(high - low + 1)); }
-
- private:
-    std::mt19937_64 random_;
-};
 
 struct Text {
     std::ostringstream out{};

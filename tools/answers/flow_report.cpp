@@ -124,8 +124,8 @@ std::string flowText(const SteadyFlow& flow, const std::string& scenario) {
         text +=
             row("apertures", aperturesText(flow.aperture)) + row("coupling", couplingText(*flow.coupling));
     return text + row("free surface", surfaceText(flow)) +
-           row("iterations", std::to_string(flow.iterations) + ", joints run dry over " +
-                                 figure("%.2g", flow.ramp) + " m of pressure head");
+           row("iterations", std::to_string(flow.iterations) + ", joints conduct a half at " +
+                                 figure("%.2g", flow.ramp) + " m of suction");
 }
 
 Json flowJson(const SteadyFlow& flow, const Common& common, const formats::Scenario& scenario) {

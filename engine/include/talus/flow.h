@@ -37,7 +37,7 @@ struct SteadyFlow {
     std::vector<Vec3> normal;                           ///< of each triangle, from a to b
     std::vector<double> aperture;                       ///< hydraulic, of each triangle [m]
     std::vector<Vec3> discharge;                        ///< per width of the joint [m^2/s]
-    std::vector<double> wet_share;                      ///< of each triangle, 1 where it is full
+    std::vector<double> wet_share;  ///< mean relative conductivity of a triangle's corners, 1: full
 
     std::vector<BoundaryFlow> boundaries;  ///< in the model's order
     std::vector<Vec3> free_surface;        ///< where edges of the mesh pass from wet to dry, model frame [m]
@@ -49,7 +49,7 @@ struct SteadyFlow {
     double imbalance = 0;
     int iterations = 0;   ///< of the free surface; of outlets alone without one
     double residual = 0;  ///< largest imbalance of a node after the last one, over the inflow
-    /// pressure head below zero over which joints run dry: how sharp the free surface is [m]
+    /// suction at which a joint above the free surface conducts a half: how sharp the surface is [m]
     double ramp = 0;
     std::optional<FlowCoupling> coupling{};  ///< of coupledFlow
     std::vector<std::string> warnings;

@@ -1,8 +1,7 @@
 #pragma once
-// Laminar flow in a joint, and how far a joint is filled.
+// Laminar flow in a joint, and how much a joint conducts that is not full.
 
 #include <algorithm>
-#include <array>
 
 namespace talus::flow {
 
@@ -33,28 +32,21 @@ inline double hydraulicAperture(double stated, double opened, double residual_sh
 /// Whether kMostOpened limits the aperture.
 inline bool isCapped(double stated, double opened) { return stated + opened > kMostOpened * stated; }
 
-/// Mean over a triangle of max(0, f), f linear with these values at the corners. With one corner of a sign,
-/// f^3 / (3 (f - g) (f - h)) is the mean over that corner's side of the zero line.
-inline double meanPositive(std::array<double, 3> f) {
-    std::sort(f.begin(), f.end());
-    const double mean = (f[0] + f[1] + f[2]) / 3;
-    if (f[0] >= 0) return mean;
-    if (f[2] <= 0) return 0;
-    if (f[1] <= 0) return f[2] * f[2] * f[2] / (3 * (f[2] - f[0]) * (f[2] - f[1]));
-    return mean - f[0] * f[0] * f[0] / (3 * (f[1] - f[0]) * (f[2] - f[0]));
-}
+/// k at a point of a joint, and its slope by the pressure head [1/m].
+struct RelativeConductivity {
+    double value = 1, slope = 0;
+};
 
-/// Share of a triangle that carries water: the mean of a ramp that rises from 0 to 1 while the pressure head
-/// rises from -ramp to zero. A joint under pressure is full. As the ramp goes to nothing, this is the share
-/// of the area below the free surface.
-/// \param pressure_head  at the corners [m]
-/// \param ramp           its width [m], > 0
-inline double wetShare(const std::array<double, 3>& pressure_head, double ramp) {
-    const auto shifted = [&](double by) {
-        return meanPositive({pressure_head[0] + by, pressure_head[1] + by, pressure_head[2] + by});
-    };
-    if (std::min({pressure_head[0], pressure_head[1], pressure_head[2]}) >= 0) return 1;
-    return std::clamp((shifted(ramp) - shifted(0)) / ramp, 0.0, 1.0);
+/// Share of its transmissivity that a joint has at a point: 1 under pressure, and above the free surface
+/// k = r + (1 - r) / (1 + (p / ramp)^2), Gardner's relation for suction (1958, Soil Science 85, 228). It has no
+/// kink, and Newton's method needs that.
+/// \param pressure_head  p [m]
+/// \param ramp           suction at which the joint conducts a half [m], > 0
+/// \param dry            r: what a dry joint keeps
+inline RelativeConductivity relativeConductivity(double pressure_head, double ramp, double dry) {
+    if (pressure_head >= 0) return {1, 0};
+    const double suction = pressure_head / ramp, share = 1 / (1 + suction * suction);
+    return {dry + (1 - dry) * share, -(1 - dry) * 2 * suction * share * share / ramp};
 }
 
 }  // namespace talus::flow

@@ -14,8 +14,7 @@ constexpr double kNoPressure = 1e-9;  // of the median patch, as a head: roundin
 constexpr double kBalanced = 1e-9;    // of the inflow: imbalance at a node
 // Of the inflow: what may be left where rounding allows no better, between joints of very unequal apertures.
 constexpr double kUnequalJoints = 1e-6;
-constexpr double kStill = 1e-9;      // of the median patch: water with smaller differences of head is still
-constexpr double kShareStep = 1e-6;  // of the ramp: step of the difference that gives a share's slope
+constexpr double kStill = 1e-9;  // of the median patch: water with smaller differences of head is still
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
@@ -33,16 +32,26 @@ Equations::Equations(const Network& network, const Conditions& conditions,
     : network_(&network),
       conditions_(&conditions),
       dry_share_(surface.dry_share),
+      ramp_(surface.ramp * network.height),
+      around_(Vector::Zero(static_cast<Eigen::Index>(network.nodes.size()))),
       structure_(network, conditions),
       datum_(lowestHead(conditions)) {
     for (std::size_t t = 0; t < network.triangles.size(); ++t) {
         const Gradients g = gradientsOf(network, t);
-        std::array<double, 3> between{};
-        for (std::size_t k = 0; k < 3; ++k)
+        Corners between{};
+        for (std::size_t k = 0; k < 3; ++k) {
             between[k] = -transmissivity[t] * g.area * g.of[k].dot(g.of[(k + 1) % 3]);
+            for (const std::size_t end : {k, (k + 1) % 3})
+                around_[network.triangles[t][end]] += std::abs(between[k]);
+        }
         stiffness_.push_back(between);
     }
-    for (const Condition condition : conditions.of) held_.push_back(condition != Condition::none ? 1 : 0);
+    openOutlets();
+}
+
+void Equations::openOutlets() {
+    held_.clear();
+    for (const Condition condition : conditions_->of) held_.push_back(condition != Condition::none ? 1 : 0);
 }
 
 double Equations::heldHead(std::size_t node) const {
@@ -76,31 +85,45 @@ bool Equations::switchOutlets(const Vector& heads, const Vector& inflow) {
     return any;
 }
 
-std::array<double, 3> Equations::pressureHeads(const Vector& heads, std::size_t triangle) const {
-    std::array<double, 3> above{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::int32_t n = network_->triangles[triangle][k];
-        above[k] = heads[n] + datum_ - conditions_->elevation[at(n)];
-    }
-    return above;
+double Equations::pressureHead(const Vector& heads, std::int32_t node) const {
+    return heads[node] + datum_ - conditions_->elevation[at(node)];
 }
 
-std::vector<double> Equations::sharesOf(const Vector& heads, double ramp) const {
-    std::vector<double> shares(triangles());
-    for (std::size_t t = 0; t < shares.size(); ++t)
-        shares[t] = dry_share_ + (1 - dry_share_) * wetShare(pressureHeads(heads, t), ramp);
+Wetness Equations::full() const {
+    return {std::vector<double>(held_.size(), 1.0), std::vector<double>(held_.size(), 0.0)};
+}
+
+Wetness Equations::wetnessOf(const Vector& heads, double ramp) const {
+    Wetness wetness;
+    for (std::int32_t n = 0; n < static_cast<std::int32_t>(held_.size()); ++n) {
+        const auto [conductivity, slope] = relativeConductivity(pressureHead(heads, n), ramp, dry_share_);
+        wetness.conductivity.push_back(conductivity);
+        wetness.slope.push_back(slope);
+    }
+    return wetness;
+}
+
+std::vector<double> Equations::sharesOf(const Wetness& wetness) const {
+    std::vector<double> shares;
+    for (const auto& [a, b, c] : network_->triangles) {
+        const auto& k = wetness.conductivity;
+        shares.push_back((k[at(a)] + k[at(b)] + k[at(c)]) / 3);
+    }
     return shares;
 }
 
-Vector Equations::inflows(const Vector& heads, const std::vector<double>& shares) const {
+TriangleFlow Equations::flowIn(std::size_t triangle, const Vector& heads, const Wetness& wetness) const {
+    const auto [a, b, c] = network_->triangles[triangle];
+    const auto& k = wetness.conductivity;
+    return triangleFlow(stiffness_[triangle], {heads[a], heads[b], heads[c]}, {k[at(a)], k[at(b)], k[at(c)]});
+}
+
+Vector Equations::inflows(const Vector& heads, const Wetness& wetness) const {
     Vector sum = Vector::Zero(heads.size());
-    for (std::size_t t = 0; t < triangles(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::int32_t i = network_->triangles[t][k], j = network_->triangles[t][(k + 1) % 3];
-            const double flow = shares[t] * stiffness_[t][k] * (heads[i] - heads[j]);
-            sum[i] += flow;
-            sum[j] -= flow;
-        }
+    for (std::size_t t = 0; t < stiffness_.size(); ++t) {
+        const TriangleFlow flow = flowIn(t, heads, wetness);
+        for (std::size_t k = 0; k < 3; ++k) sum[network_->triangles[t][k]] += flow.inflow[k];
+    }
     return sum;
 }
 
@@ -112,43 +135,6 @@ void Equations::add(std::size_t triangle, std::size_t row, std::size_t column, d
         matrix.valuePtr()[structure_.entry(triangle, row, column)] += value;
 }
 
-void Equations::addConductance(const std::vector<double>& shares, SparseMatrix& matrix) const {
-    for (std::size_t t = 0; t < triangles(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t next = (k + 1) % 3;
-            const double c = shares[t] * stiffness_[t][k];
-            add(t, k, k, c, matrix);
-            add(t, next, next, c, matrix);
-            add(t, k, next, -c, matrix);
-            add(t, next, k, -c, matrix);
-        }
-}
-
-void Equations::addShareSlopes(const Vector& heads, double ramp, SparseMatrix& matrix) const {
-    for (std::size_t t = 0; t < triangles(); ++t) {
-        const std::array<double, 3> above = pressureHeads(heads, t);
-        const double share = wetShare(above, ramp);
-        if (share <= 0 || share >= 1) continue;
-        std::array<double, 3> inflow{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t next = (k + 1) % 3;
-            const double flow =
-                stiffness_[t][k] * (heads[network_->triangles[t][k]] - heads[network_->triangles[t][next]]);
-            inflow[k] += flow;
-            inflow[next] -= flow;
-        }
-        const double step = kShareStep * ramp;
-        for (std::size_t by = 0; by < 3; ++by) {
-            std::array<double, 3> more = above, less = above;
-            more[by] += step;
-            less[by] -= step;
-            const double slope =
-                (1 - dry_share_) * (wetShare(more, ramp) - wetShare(less, ramp)) / (2 * step);
-            for (std::size_t of = 0; of < 3; ++of) add(t, of, by, slope * inflow[of], matrix);
-        }
-    }
-}
-
 SparseMatrix Equations::identityOfHeld() const {
     SparseMatrix matrix = structure_.empty();
     for (std::size_t n = 0; n < held_.size(); ++n)
@@ -156,17 +142,32 @@ SparseMatrix Equations::identityOfHeld() const {
     return matrix;
 }
 
-SparseMatrix Equations::conductance(const std::vector<double>& shares) const {
+SparseMatrix Equations::derivative(const Vector& heads, const Wetness& wetness) const {
     SparseMatrix matrix = identityOfHeld();
-    addConductance(shares, matrix);
+    for (std::size_t t = 0; t < stiffness_.size(); ++t) {
+        const TriangleFlow flow = flowIn(t, heads, wetness);
+        for (std::size_t column = 0; column < 3; ++column) {
+            const double slope = wetness.slope[at(network_->triangles[t][column])];
+            for (std::size_t row = 0; row < 3; ++row)
+                add(t, row, column, flow.by_head[row][column] + slope * flow.by_conductivity[row][column],
+                    matrix);
+        }
+    }
     return matrix;
 }
 
-SparseMatrix Equations::derivative(const Vector& heads, double ramp) const {
-    SparseMatrix matrix = identityOfHeld();
-    addConductance(sharesOf(heads, ramp), matrix);
-    addShareSlopes(heads, ramp, matrix);
-    return matrix;
+void Equations::addStorage(double multiple, SparseMatrix& matrix) const {
+    for (std::size_t n = 0; n < held_.size(); ++n)
+        if (!isHeld(n))
+            matrix.valuePtr()[structure_.diagonal(n)] += multiple * around_[static_cast<Eigen::Index>(n)];
+}
+
+void Equations::stopInRamp(const Vector& from, double ramp, Vector& to) const {
+    for (std::int32_t n = 0; n < static_cast<std::int32_t>(held_.size()); ++n) {
+        const double before = pressureHead(from, n), after = pressureHead(to, n);
+        if (!isHeld(at(n)) && std::min(before, after) < -ramp && std::max(before, after) >= 0)
+            to[n] = conditions_->elevation[at(n)] - datum_ - 0.5 * ramp;
+    }
 }
 
 double Equations::imbalance(const Vector& inflow) const {
@@ -179,35 +180,27 @@ double Equations::imbalance(const Vector& inflow) const {
     return most > 0 ? most / std::max(entering, most * 1e-300) : 0;
 }
 
-bool Equations::isBalanced(const Vector& heads, const std::vector<double>& shares,
-                           const Vector& inflow) const {
+bool Equations::isBalanced(const Vector& heads, const Vector& inflow) const {
     const double left = imbalance(inflow);
     if (left <= kBalanced) return true;
     if (!heads.allFinite() || !inflow.allFinite()) return false;
-    return isStill(heads) || (left <= kUnequalJoints && isRounding(heads, shares, inflow));
+    return isStill(heads) || (left <= kUnequalJoints && isRounding(heads, inflow));
 }
 
 /// Still water has no inflow to compare an imbalance with.
 bool Equations::isStill(const Vector& heads) const {
     for (const auto& [a, b, c] : network_->triangles)
         if (std::max({heads[a], heads[b], heads[c]}) - std::min({heads[a], heads[b], heads[c]}) >
-            kStill * size())
+            kStill * network_->size)
             return false;
     return true;
 }
 
-/// A node's inflow is a sum of c (h_i - h_j), each known to the rounding of the heads only.
-bool Equations::isRounding(const Vector& heads, const std::vector<double>& shares,
-                           const Vector& inflow) const {
-    Vector conductance = Vector::Zero(heads.size());
-    for (std::size_t t = 0; t < triangles(); ++t)
-        for (std::size_t k = 0; k < 3; ++k)
-            for (const std::size_t end : {k, (k + 1) % 3})
-                conductance[network_->triangles[t][end]] += shares[t] * std::abs(stiffness_[t][k]);
+/// A node's inflow is a sum of c (h_i - h_j) k, each known to the rounding of the heads only.
+bool Equations::isRounding(const Vector& heads, const Vector& inflow) const {
     const double rounding = std::numeric_limits<double>::epsilon() * heads.cwiseAbs().maxCoeff();
     for (Eigen::Index n = 0; n < heads.size(); ++n)
-        if (!isHeld(static_cast<std::size_t>(n)) && std::abs(inflow[n]) > rounding * conductance[n])
-            return false;
+        if (!isHeld(static_cast<std::size_t>(n)) && std::abs(inflow[n]) > rounding * around_[n]) return false;
     return true;
 }
 

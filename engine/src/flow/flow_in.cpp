@@ -17,9 +17,7 @@ namespace {
 
 constexpr double kLeak = 1e-3;      // of the largest inflow at a node
 constexpr double kNothing = 1e-12;  // of the largest inflow at a node: rounding
-// Of a patch's height: a wider ramp moves the free surface by more than a tenth of a patch.
-constexpr double kWideRamp = 0.2;
-constexpr double kSurface = 1e-6;  // of the median patch: nearer to zero a pressure head has no sign
+constexpr double kSurface = 1e-6;   // of the median patch: nearer to zero a pressure head has no sign
 
 double apertureOf(const Flow& flow, std::int32_t joint) {
     for (const auto& [of, aperture] : flow.joint_apertures)
@@ -90,7 +88,6 @@ class Answer {
         addBoundaries();
         addSurface();
         warnOfUnreached();
-        warnOfWideRamp();
         return std::move(into_);
     }
 
@@ -99,13 +96,12 @@ class Answer {
         const std::string tried = " after " + std::to_string(heads.iterations) +
                                   " iterations; the last one left " + formatted("%.2g", heads.residual) +
                                   " of the inflow unbalanced at a node; allowed: ";
-        if (flow_.free_surface)
-            return "found no free surface" + tried +
-                   "a finer network (flow.refinements), or free_surface = false";
         const auto [least, most] = std::minmax_element(transmissivity_.begin(), transmissivity_.end());
-        return "found no heads that balance the flow" + tried +
-               "apertures that differ less; the largest is " + formatted("%.2g", std::cbrt(*most / *least)) +
-               " times the smallest";
+        const std::string apertures = "apertures that differ less; the largest is " +
+                                      formatted("%.2g", std::cbrt(*most / *least)) + " times the smallest";
+        if (!flow_.free_surface) return "found no heads that balance the flow" + tried + apertures;
+        const std::string finer = "a finer network (flow.refinements), or free_surface = false";
+        return "found no free surface" + tried + finer + (*most > *least ? "; or " + apertures : "");
     }
 
     void addNodes() {
@@ -215,14 +211,6 @@ class Answer {
         into_.unreached_patches = unreached.size();
         if (const auto doubt = doubtOf(unreached, network_, flow_, model_))
             into_.warnings.push_back(doubt->field + ": " + doubt->message);
-    }
-
-    void warnOfWideRamp() {
-        if (into_.ramp <= kWideRamp * network_.height) return;
-        into_.warnings.push_back(flow_.field + ": the free surface is smeared over " +
-                                 formatted("%.2g", into_.ramp) +
-                                 " m of pressure head, because a sharper one "
-                                 "was not found; a finer network (flow.refinements) is more accurate");
     }
 
     const Model& model_;

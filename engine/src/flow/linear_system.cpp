@@ -1,7 +1,5 @@
 #include "flow/linear_system.h"
 
-#include <cmath>
-
 namespace talus::flow {
 namespace {
 
@@ -19,13 +17,6 @@ bool isSmall(const Vector& residual, const SparseMatrix& matrix, const Vector& s
 }  // namespace
 
 std::optional<Vector> LinearSystem::solve(const SparseMatrix& matrix, const Vector& right) {
-    if (auto solution = refined(matrix, right)) return solution;
-    ++pivoted_;
-    return withPivots(matrix, right);
-}
-
-/// Nothing where the residual does not become small.
-std::optional<Vector> LinearSystem::refined(const SparseMatrix& matrix, const Vector& right) {
     if (!factors_) factors_.emplace(matrix);
     if (!factors_->factorise(matrix)) return std::nullopt;
     Vector solution = factors_->solve(right);
@@ -35,12 +26,6 @@ std::optional<Vector> LinearSystem::refined(const SparseMatrix& matrix, const Ve
         solution += factors_->solve(residual);
     }
     return std::nullopt;
-}
-
-std::optional<Vector> LinearSystem::withPivots(const SparseMatrix& matrix, const Vector& right) {
-    const Eigen::SparseLU<SparseMatrix> factors(matrix);
-    if (factors.info() != Eigen::Success) return std::nullopt;
-    return factors.solve(right);
 }
 
 }  // namespace talus::flow

@@ -1,10 +1,10 @@
 #pragma once
-// The linear systems of Newton's method in a network: unsymmetric, of one structure.
+// The linear systems of a network's steps: unsymmetric, of one structure.
 //
-// Factors without pivoting first, because their structure is found once and little fills in. Their solution
-// is refined until its residual is rounding. Where that fails, a factorisation with pivoting solves it.
+// Factors without pivoting, because their structure is found once and little fills in. Their solution is
+// refined until its residual is rounding. Where that fails, the step is to become shorter: storage on the
+// diagonal makes pivots sound. No system of the networks in bench/studies/free-surface.md needs that.
 
-#include <Eigen/SparseLU>
 #include <optional>
 
 #include "flow/sparse.h"
@@ -14,18 +14,12 @@ namespace talus::flow {
 
 class LinearSystem {
  public:
-    /// A^-1 b; nothing where the matrix is singular.
+    /// A^-1 b; nothing where the matrix is singular, or pivots too small for the residual to become small.
     /// \pre matrices of one structure, as UnpivotedLu needs it
     std::optional<Vector> solve(const SparseMatrix& matrix, const Vector& right);
-    /// How many systems were solved with pivoting.
-    int pivoted() const { return pivoted_; }
 
  private:
-    std::optional<Vector> refined(const SparseMatrix& matrix, const Vector& right);
-    std::optional<Vector> withPivots(const SparseMatrix& matrix, const Vector& right);
-
     std::optional<UnpivotedLu> factors_;
-    int pivoted_ = 0;
 };
 
 }  // namespace talus::flow

@@ -5,159 +5,142 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "flow/linear_system.h"
 
 namespace talus::flow {
 namespace {
 
-constexpr int kBeginIterations = 60;  // before Newton's method; dams of 8,000 joints need 30
-constexpr double kBegun = 1e-3;       // of the inflow: imbalance from which Newton's method converges
-constexpr int kStageIterations = 60;  // most stages take ten
-constexpr double kRounding = 1e-13;   // of the inflow: no step can lower that
-constexpr int kLineSearch = 12;       // halvings of a step
-constexpr double kArmijo = 1e-4;      // share of the expected decrease that a step must bring
-constexpr double kSlower = 0.5, kFaster = 1.2;  // what turns back moves more slowly, what goes on faster
+constexpr int kOutletSwitches = 60;  // of full joints
+constexpr int kSteps = 300;          // most networks take 40; half as many suffice for all that were drawn
+constexpr double kRounding = 1e-13;  // of the inflow: no step can lower that
+
+// Steps, as multiples of a node's storage over its conductance. bench/studies/free-surface.md has what half and
+// twice each of them does: no answer moves.
+constexpr double kFirstStep = 100;
+constexpr double kLonger = 3;   // ratio, after a step that is taken
+constexpr double kShorter = 5;  // ratio, after one that is not, and where outlets were opened or closed
+constexpr double kWorse = 4;    // imbalance over that before the step: what is not taken
 
 class Solver {
  public:
     Solver(const Network& network, const Conditions& conditions, const std::vector<double>& transmissivity,
            const FreeSurface& surface)
         : conditions_(conditions),
-          last_ramp_(surface.last_ramp),
           equations_(network, conditions, transmissivity, surface),
-          heads_(Vector::Zero(static_cast<Eigen::Index>(network.nodes.size()))),
-          shares_(network.triangles.size(), 1.0) {}
+          heads_(Vector::Zero(static_cast<Eigen::Index>(network.nodes.size()))) {}
 
     Heads full() {
-        bool wrong = true;
-        for (; wrong && iterations_ < kStageIterations; ++iterations_) {
-            solveLinear();
-            wrong = equations_.switchOutlets(heads_, equations_.inflows(heads_, shares_));
-        }
-        const Vector inflow = equations_.inflows(heads_, shares_);
+        const bool switched = fill();
+        const Wetness wetness = equations_.full();
+        const Vector inflow = equations_.inflows(heads_, wetness);
         residual_ = equations_.imbalance(inflow);
-        return result(0, !wrong && equations_.isBalanced(heads_, shares_, inflow));
+        return result(0, wetness, !switched && equations_.isBalanced(heads_, inflow));
     }
 
-    /// In thick sections a ramp as high as a polygon may be too narrow to begin with.
     Heads withFreeSurface() {
-        const std::vector<char> held = equations_.held();
-        const std::vector<double> shares = shares_;
-        double ramp = 0;
-        for (const double first : {equations_.height(), equations_.size()}) {
-            equations_.setHeld(held);
-            shares_ = shares;
-            heads_.setZero();
-            ramp = narrowestFrom(first);
-            if (ramp > 0) break;
-        }
-        shares_ = equations_.sharesOf(heads_, ramp > 0 ? ramp : equations_.size());
-        return result(ramp, ramp > 0);
+        const double ramp = equations_.ramp();
+        fill();
+        const bool found = settle(ramp) || narrow(ramp);
+        return result(ramp, equations_.wetnessOf(heads_, ramp), found);
     }
 
  private:
-    /// Heads with constant shares. The later passes take back what rounding left of the first.
-    void solveLinear() {
+    /// Heads of full joints. \return whether outlets still open and close
+    bool fill() {
+        equations_.openOutlets();
+        heads_.setZero();
+        bool switched = true;
+        for (int k = 0; switched && k < kOutletSwitches; ++k, ++iterations_) {
+            solveFull();
+            switched = equations_.switchOutlets(heads_, equations_.inflows(heads_, equations_.full()));
+        }
+        return switched;
+    }
+
+    /// The later passes take back what rounding left of the first.
+    void solveFull() {
         equations_.hold(heads_);
-        const SparseMatrix matrix = equations_.conductance(shares_);
+        const Wetness wetness = equations_.full();
+        const SparseMatrix matrix = equations_.derivative(heads_, wetness);
         if (!analysed_) cholesky_.analyzePattern(matrix), analysed_ = true;
         cholesky_.factorize(matrix);
-        for (int pass = 0; pass < 3; ++pass) heads_ += cholesky_.solve(unbalanced(heads_, shares_));
+        for (int pass = 0; pass < 3; ++pass) heads_ += cholesky_.solve(unbalanced(heads_, wetness));
     }
 
     /// What has to be taken off the inflows of nodes that are not held.
-    Vector unbalanced(const Vector& heads, const std::vector<double>& shares) const {
-        Vector rest = -equations_.inflows(heads, shares);
+    Vector unbalanced(const Vector& heads, const Wetness& wetness) const {
+        Vector rest = -equations_.inflows(heads, wetness);
         for (Eigen::Index n = 0; n < rest.size(); ++n)
             if (equations_.isHeld(static_cast<std::size_t>(n))) rest[n] = 0;
         return rest;
     }
 
-    /// The narrowest ramp for which heads are found, which are those then; zero: not even for the first.
-    double narrowestFrom(double first) {
-        begin(first);
-        double found = 0;
-        for (double ramp = first; ramp >= last_ramp_ * equations_.height(); ramp /= 2) {
-            const std::vector<char> held = equations_.held();
-            const Vector heads = heads_;
-            if (!converge(ramp)) {
-                equations_.setHeld(held);
-                heads_ = heads;
-                break;
-            }
-            found = ramp;
+    /// By halves from a ramp as high as a polygon: each begins with the heads of the one before.
+    bool narrow(double last) {
+        fill();
+        double ramp = std::max(last, equations_.height());
+        bool found = settle(ramp);
+        while (found && ramp > last) {
+            ramp = std::max(ramp / 2, last);
+            found = settle(ramp);
         }
         return found;
     }
 
-    /// Each triangle's share moves by its own weight: less where it went to and fro.
-    void begin(double ramp) {
-        std::vector<double> weight(shares_.size(), 1.0), before(shares_.size(), 0.0);
-        for (int k = 0; k < kBeginIterations; ++k, ++iterations_) {
-            solveLinear();
-            const bool switched = equations_.switchOutlets(heads_, equations_.inflows(heads_, shares_));
-            const std::vector<double> next = equations_.sharesOf(heads_, ramp);
-            const Vector inflow = equations_.inflows(heads_, next);
-            if (!switched &&
-                (equations_.imbalance(inflow) < kBegun || equations_.isBalanced(heads_, next, inflow)))
-                return;
-            for (std::size_t t = 0; t < next.size(); ++t) {
-                const double step = next[t] - shares_[t];
-                weight[t] = step * before[t] < 0 ? kSlower * weight[t] : std::min(1.0, kFaster * weight[t]);
-                before[t] = step;
-                shares_[t] += weight[t] * step;
-            }
-        }
-    }
-
-    /// One stage of Newton's method.
-    bool converge(double ramp) {
-        for (int k = 0; k < kStageIterations; ++k, ++iterations_) {
+    /// Steps from the heads as they are until nothing changes. \return whether that was found
+    bool settle(double ramp) {
+        double step = kFirstStep;
+        for (int k = 0; k < kSteps; ++k, ++iterations_) {
             equations_.hold(heads_);
-            const std::vector<double> shares = equations_.sharesOf(heads_, ramp);
-            const Vector inflow = equations_.inflows(heads_, shares);
+            const Vector inflow = equations_.inflows(heads_, equations_.wetnessOf(heads_, ramp));
             const bool switched = equations_.switchOutlets(heads_, inflow);
             residual_ = equations_.imbalance(inflow);
-            if (!switched && equations_.isBalanced(heads_, shares, inflow)) return polish(ramp), true;
+            if (!switched && equations_.isBalanced(heads_, inflow)) return polish(ramp), true;
             equations_.hold(heads_);
-            if (!step(ramp)) return false;
+            const auto [heads, growth] = stepped(ramp, step);
+            const bool is_taken = growth < kWorse;
+            if (is_taken) heads_ = heads;
+            step = is_taken && !switched ? kLonger * step : step / kShorter;
         }
         return false;
     }
 
-    /// One step more takes a balance to rounding.
+    /// A step or two of Newton's method take a balance to rounding.
     void polish(double ramp) {
         for (int k = 0; k < 2 && residual_ > kRounding; ++k) {
-            const Vector before = heads_;
-            if (!step(ramp)) return;
+            const Vector heads = stepped(ramp, kInfinity).heads;
             const double now =
-                equations_.imbalance(equations_.inflows(heads_, equations_.sharesOf(heads_, ramp)));
-            if (!(now < residual_)) heads_ = before;
-            residual_ = std::min(now, residual_);
+                equations_.imbalance(equations_.inflows(heads, equations_.wetnessOf(heads, ramp)));
+            if (!(now < residual_)) return;
+            heads_ = heads;
+            residual_ = now;
         }
     }
 
-    /// False where the derivative has no inverse.
-    bool step(double ramp) {
-        const Vector rest = unbalanced(heads_, equations_.sharesOf(heads_, ramp));
-        const std::optional<Vector> direction = newton_.solve(equations_.derivative(heads_, ramp), rest);
-        if (!direction) return false;
-        const double size = rest.norm();
-        double length = 1;
-        Vector trial;
-        for (int k = 0; k < kLineSearch; ++k, length /= 2) {
-            trial = heads_ + length * *direction;
-            if (unbalanced(trial, equations_.sharesOf(trial, ramp)).norm() < (1 - kArmijo * length) * size)
-                break;
-        }
-        heads_ = trial;
-        return true;
+    struct Stepped {
+        Vector heads;
+        double growth = kInfinity;  ///< of the imbalance, summed over the nodes
+    };
+
+    /// The growth is infinite where the step's system has no solution.
+    Stepped stepped(double ramp, double step) {
+        const Wetness wetness = equations_.wetnessOf(heads_, ramp);
+        const Vector rest = unbalanced(heads_, wetness);
+        SparseMatrix matrix = equations_.derivative(heads_, wetness);
+        equations_.addStorage(1 / step, matrix);
+        const std::optional<Vector> change = system_.solve(matrix, rest);
+        if (!change) return {heads_};
+        Vector heads = heads_ + *change;
+        equations_.stopInRamp(heads_, ramp, heads);
+        const double after = unbalanced(heads, equations_.wetnessOf(heads, ramp)).lpNorm<1>();
+        return {std::move(heads), after / rest.lpNorm<1>()};
     }
 
-    Heads result(double ramp, bool found) const {
+    Heads result(double ramp, const Wetness& wetness, bool found) const {
         Heads result;
-        const Vector inflow = equations_.inflows(heads_, shares_);
+        const Vector inflow = equations_.inflows(heads_, wetness);
         const bool still = equations_.isStill(heads_);  // what flows is rounding
         for (std::size_t n = 0; n < conditions_.of.size(); ++n) {
             const bool dry = conditions_.of[n] == Condition::dry;
@@ -166,7 +149,7 @@ class Solver {
                                       : heads_[i] + equations_.datum());
             result.inflow.push_back(dry || still ? 0.0 : inflow[i]);
         }
-        result.wet_share = shares_;
+        result.wet_share = equations_.sharesOf(wetness);
         result.iterations = iterations_;
         result.ramp = ramp;
         result.residual = residual_;
@@ -176,13 +159,11 @@ class Solver {
     }
 
     const Conditions& conditions_;
-    double last_ramp_;  ///< of a patch's height
     Equations equations_;
-    Vector heads_;                ///< above the datum [m]
-    std::vector<double> shares_;  ///< of each triangle
+    Vector heads_;  ///< above the datum [m]
     Eigen::SimplicialLDLT<SparseMatrix> cholesky_;
     bool analysed_ = false;
-    LinearSystem newton_;
+    LinearSystem system_;
     int iterations_ = 0;
     double residual_ = 0;
 };

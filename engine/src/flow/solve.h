@@ -1,13 +1,15 @@
 #pragma once
-// Heads in a joint network, with the free surface found by iteration.
+// Heads in a joint network, with the free surface found by pseudo-transient steps.
 //
-//   begin:  heads with the shares of the last iteration, shares moved towards those of the heads
-//           (residual flow: Desai and Li 1983, Int. J. for Numerical Methods in Engineering 19)
-//   stage:  Newton's method with a line search, outlets opened and closed on the way
-//   next:   the same with half the ramp, from the heads of the last stage, down to the narrowest
+//   begin:  heads of full joints
+//   step:   (dR/dh + S / dt) dh = -R, outlets opened and closed before it
+//           (pseudo-transient continuation: Kelley and Keyes 1998, SIAM J. on Numerical Analysis 35, 508)
+//   next:   dt grows; where the imbalance grew fourfold it shrinks, and the step is taken again
+//           It also shrinks where outlets switch, because long steps may open and close one without end
 //
-// A stage that does not converge ends it, and the heads of the stage before are the answer: they balance to
-// rounding, with a free surface that is smeared over a wider ramp.
+// S is the storage of an unconfined joint, whose water stands higher as its head rises. No answer contains it.
+// The storage of a node is proportional to its conductances, so that all nodes change at one rate. The longer
+// the steps, the nearer they are to Newton's. If the ramp does not settle at once, wider ones come first.
 
 #include <vector>
 
@@ -19,10 +21,10 @@ namespace talus::flow {
 struct Heads {
     std::vector<double> head;       ///< of each node; nan where no head reaches [m]
     std::vector<double> inflow;     ///< into the network at each node [m^3/s]
-    std::vector<double> wet_share;  ///< of each triangle
+    std::vector<double> wet_share;  ///< of each triangle, mean relative conductivity of its corners
     int iterations = 0;
-    double ramp = 0;      ///< pressure head over which joints run dry [m]; 0 without a free surface
-    double residual = 0;  ///< largest imbalance of a node in the last stage, over the inflow
+    double ramp = 0;      ///< suction at which a joint conducts a half [m]; 0 without a free surface
+    double residual = 0;  ///< largest imbalance of a node after the last one, over the inflow
     bool found = false;
 };
 

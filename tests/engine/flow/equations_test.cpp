@@ -38,9 +38,10 @@ TEST_CASE("flow equations: the derivative is that of the inflows, by differences
     const Dam dam;
     for (const double ramp : {1.0, 0.1}) {
         const flow::Vector heads = dam.anyHeads(3);
-        const Eigen::MatrixXd derivative = dam.equations.derivative(heads, ramp);
+        const Eigen::MatrixXd derivative =
+            dam.equations.derivative(heads, dam.equations.wetnessOf(heads, ramp));
         const auto inflowAt = [&](const flow::Vector& at) {
-            return dam.equations.inflows(at, dam.equations.sharesOf(at, ramp));
+            return dam.equations.inflows(at, dam.equations.wetnessOf(at, ramp));
         };
         constexpr double kStep = 1e-6;
         for (Eigen::Index j = 0; j < heads.size(); ++j) {
@@ -56,10 +57,29 @@ TEST_CASE("flow equations: the derivative is that of the inflows, by differences
     }
 }
 
+TEST_CASE("flow equations: square polygons have an M-matrix, whatever the heads") {
+    // Entries off the diagonal are negative, and no column sums to less than zero: heads are unique.
+    const Dam dam;
+    for (unsigned seed = 1; seed <= 10; ++seed)
+        for (const double ramp : {1.0, 0.03}) {
+            CAPTURE(seed);
+            const flow::Vector heads = dam.anyHeads(seed);
+            const Eigen::MatrixXd derivative =
+                dam.equations.derivative(heads, dam.equations.wetnessOf(heads, ramp));
+            const double rounding = 1e-13 * derivative.cwiseAbs().maxCoeff();
+            for (Eigen::Index j = 0; j < heads.size(); ++j) {
+                CHECK(derivative(j, j) > 0);
+                CHECK(derivative.col(j).sum() > -rounding);
+                for (Eigen::Index i = 0; i < heads.size(); ++i)
+                    if (i != j) CHECK(derivative(i, j) < rounding);
+            }
+        }
+}
+
 TEST_CASE("flow equations: inflows sum to zero, whatever the heads") {
     const Dam dam;
     const flow::Vector heads = dam.anyHeads(5);
-    const flow::Vector inflow = dam.equations.inflows(heads, dam.equations.sharesOf(heads, 0.1));
+    const flow::Vector inflow = dam.equations.inflows(heads, dam.equations.wetnessOf(heads, 0.1));
     CHECK(std::abs(inflow.sum()) < 1e-12 * inflow.cwiseAbs().sum());
 }
 
@@ -85,8 +105,9 @@ TEST_CASE("flow equations: a step of Newton's method is that of dense factors, a
         for (const double ramp : {1.0, 0.03}) {
             CAPTURE(seed);
             const flow::Vector heads = dam.anyHeads(seed);
-            const flow::SparseMatrix derivative = dam.equations.derivative(heads, ramp);
-            flow::Vector right = -dam.equations.inflows(heads, dam.equations.sharesOf(heads, ramp));
+            const flow::Wetness wetness = dam.equations.wetnessOf(heads, ramp);
+            const flow::SparseMatrix derivative = dam.equations.derivative(heads, wetness);
+            flow::Vector right = -dam.equations.inflows(heads, wetness);
             for (Eigen::Index n = 0; n < right.size(); ++n)
                 if (dam.equations.isHeld(static_cast<std::size_t>(n))) right[n] = 0;
             const auto step = system.solve(derivative, right);

@@ -30,7 +30,7 @@ Eigen::MatrixXd anyMatrix(Eigen::Index size, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("linear systems of flow: without pivoting where the pivots allow it") {
+TEST_CASE("linear systems of flow: sound pivots") {
     LinearSystem system;
     for (unsigned seed = 1; seed <= 5; ++seed) {
         Eigen::MatrixXd matrix = anyMatrix(20, seed);
@@ -40,38 +40,30 @@ TEST_CASE("linear systems of flow: without pivoting where the pivots allow it") 
         REQUIRE(solution.has_value());
         CHECK((matrix * *solution - right).norm() < 1e-13 * right.norm());
     }
-    CHECK(system.pivoted() == 0);
 }
 
-TEST_CASE("linear systems of flow: a pivot of zero is solved with pivoting") {
+TEST_CASE("linear systems of flow: small pivots cost accuracy, which refinement gives back, or no solution") {
     LinearSystem system;
-    const Eigen::MatrixXd swap{{0, 1}, {1, 0}};
-    const Vector right{{2, 3}};
-    const auto solution = system.solve(sparse(swap), right);
-    REQUIRE(solution.has_value());
-    CHECK((*solution - Vector{{3, 2}}).norm() < 1e-15);
-    CHECK(system.pivoted() == 1);
-    // The next matrix has sound pivots again.
-    REQUIRE(system.solve(sparse(Eigen::MatrixXd{{2, 1}, {1, 2}}), right).has_value());
-    CHECK(system.pivoted() == 1);
-}
-
-TEST_CASE("linear systems of flow: small pivots cost accuracy, which refinement or pivoting gives back") {
-    LinearSystem system;
+    int solved = 0;
     for (unsigned seed = 1; seed <= 20; ++seed) {
         CAPTURE(seed);
         Eigen::MatrixXd matrix = anyMatrix(30, seed);
         matrix.diagonal().array() *= seed % 2 == 0 ? 1e-9 : 1e-15;
         const Vector right = anyMatrix(30, 50 + seed).col(0);
         const auto solution = system.solve(sparse(matrix), right);
-        REQUIRE(solution.has_value());
+        if (!solution) continue;
+        ++solved;
         const Vector expected = matrix.fullPivLu().solve(right);
         CHECK((*solution - expected).norm() < 1e-10 * expected.norm());
     }
-    CHECK(system.pivoted() > 0);
+    CHECK(solved > 0);
+    CHECK(solved < 20);
 }
 
-TEST_CASE("linear systems of flow: a singular matrix has no solution") {
+TEST_CASE("linear systems of flow: no pivot has no solution, the next matrix has") {
     LinearSystem system;
-    CHECK_FALSE(system.solve(sparse(Eigen::MatrixXd::Zero(3, 3)), Vector::Ones(3)).has_value());
+    const Vector right{{2, 3}};
+    CHECK_FALSE(system.solve(sparse(Eigen::MatrixXd{{0, 1}, {1, 0}}), right).has_value());
+    CHECK(system.solve(sparse(Eigen::MatrixXd{{2, 1}, {1, 2}}), right).has_value());
+    CHECK_FALSE(LinearSystem().solve(sparse(Eigen::MatrixXd::Zero(3, 3)), Vector::Ones(3)).has_value());
 }
