@@ -47,9 +47,9 @@ struct SearchRules {
     double rise = 1;
     double peak_accuracy = 0.25;
     double overload = 0.25;
-    double release_drag = 1e-5;
+    double release_drag = 1e-3;
+    double relaxation_drag = 1e-5;
     double release_growth = 4;
-    double release_accuracy = 0.02;
     double release_slowed = 16;
     double release_looks = 3;
     double elastic_parting = 2;

@@ -230,10 +230,7 @@ PathStep EquilibriumPath::against(double most) {
 
 PathStep EquilibriumPath::relax(double most, double& drag) {
     while (!stopped() && drag < kMostDrag) {
-        const Arc arc{.unknown = Unknown::none,
-                      .displacement = most,
-                      .drag = drag,
-                      .accuracy = rules_.release_accuracy};
+        const Arc arc{.unknown = Unknown::none, .displacement = most, .drag = drag};
         PathStep step =
             solveStep(equations_, arc, {.x = Vec6s(equations_.balance().block.size(), Vec6::Zero())});
         if (!step) {  // which costs more than several steps that converge

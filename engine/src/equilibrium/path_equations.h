@@ -44,7 +44,6 @@ struct Arc {
     double displacement = 0;  ///< d above; infinite: only the load counts
     double load = 0;          ///< l above
     double drag = 0;          ///< g above; 0: e
-    double accuracy = 0;      ///< share of the first residual with which a step may end
 };
 
 /// A step, or a guess of one.

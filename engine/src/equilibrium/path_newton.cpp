@@ -96,7 +96,7 @@ PathStep solveStep(PathEquations& equations, const Arc& arc, PathStep at) {
     PathStep tried;
     Vec6s residual, correction, next;
     int stalls = 0;
-    double enough = 1, last_share = 1;
+    double last_share = 1;
     at.converged = false;
     at.unknown = arc.unknown;
     for (at.iterations = 1; at.iterations <= static_cast<int>(rules.newton_iterations); ++at.iterations) {
@@ -104,8 +104,7 @@ PathStep solveStep(PathEquations& equations, const Arc& arc, PathStep at) {
         equations.residual(arc, at, poses, true, residual);
         const double inaccuracy = equations.inaccuracy(residual);
         if (!std::isfinite(inaccuracy)) return at;
-        if (at.iterations == 1) enough = std::max(1.0, arc.accuracy * inaccuracy);
-        if (inaccuracy < enough && std::abs(bordered.misses(at)) < rules.on_arc) {
+        if (inaccuracy < 1 && std::abs(bordered.misses(at)) < rules.on_arc) {
             at.converged = true;
             return at;
         }
@@ -118,7 +117,8 @@ PathStep solveStep(PathEquations& equations, const Arc& arc, PathStep at) {
         double change = 0;
         if (!bordered.takeRate(at, poses) || !bordered.correct(at, correction, change)) return at;
         const double length = bordered.length(correction, change), merit = equations.merit(residual);
-        double share = std::isfinite(arc.displacement) ? std::min(1.0, rules.longest_correction / length) : 1.0;
+        double share =
+            std::isfinite(arc.displacement) ? std::min(1.0, rules.longest_correction / length) : 1.0;
         double best = kInfinity, best_share = 0;
         for (int k = 0; k < static_cast<int>(rules.newton_halvings); ++k, share *= 0.5) {
             tried = at;

@@ -18,12 +18,15 @@ constexpr double kLongSlide = 0.5;
 class Steps {
  public:
     Steps(EquilibriumPath& path, double length)
-        : path_(path), length_(length), drag_(path.rules().release_drag), since_(path.parting()) {}
+        : path_(path), length_(length), drag_(path.rules().relaxation_drag) {}
 
     PathStep next() {
+        if (slides_ || is_first_) {
+            PathStep rest = path_.toRest();
+            if (rest && path_.partedBy(rest) <= length_) return rest;
+        }
+        is_first_ = false;
         if (!slides_) return inPseudoTime();
-        PathStep rest = path_.toRest();
-        if (rest && path_.partedBy(rest) <= length_) return rest;
         PathStep slide = path_.against(length_);
         if (!slide || path_.partedBy(slide) < kLongSlide * length_) slides_ = false;
         return slide ? slide : inPseudoTime();
@@ -31,19 +34,19 @@ class Steps {
 
  private:
     PathStep inPseudoTime() {
+        if (count_ == 0) since_ = path_.parting();
         PathStep step = path_.relax(length_, drag_);
         if (!step || ++count_ < kStepsOfProgress) return step;
         slides_ = path_.partedAfter(since_, step) < kLeastProgress * length_;
-        since_ = path_.parting();
         count_ = 0;
         return step;
     }
 
     EquilibriumPath& path_;
     double length_, drag_;
-    Parting since_;
+    Parting since_{};
     int count_ = 0;
-    bool slides_ = false;
+    bool slides_ = false, is_first_ = true;
 };
 
 }  // namespace

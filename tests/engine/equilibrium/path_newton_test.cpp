@@ -124,8 +124,8 @@ TEST_SUITE("equilibrium") {
                 at.equations.setLoad(radians(20 + beyond));
                 const Balance& balance = at.equations.balance();
                 const double left_over =
-                    balance.weight[0] * (std::sin(radians(20 + beyond)) -
-                                         std::cos(radians(20 + beyond)) * std::tan(radians(20)));
+                    balance.weight[0] *
+                    (std::sin(radians(20 + beyond)) - std::cos(radians(20 + beyond)) * std::tan(radians(20)));
                 const Arc arc{.unknown = Unknown::none,
                               .displacement = kInfinity,
                               .drag = left_over / (balance.drag[0] * far)};
