@@ -182,7 +182,8 @@ PathStep EquilibriumPath::fromHeldJoints() {
     return {};
 }
 
-PathStep EquilibriumPath::against(double most) {
+PathStep EquilibriumPath::against(double most, std::int64_t most_factors) {
+    const std::int64_t last = work_.factors + most_factors;
     Arc arc{.unknown = Unknown::drag};
     PathStep best, before;
     double before_displacement = 0;
@@ -201,7 +202,8 @@ PathStep EquilibriumPath::against(double most) {
     }
     double growth = rules_.release_growth;
     const Parting here = parting();
-    while (best && growth > kLeastProgress && partedAfter(here, best) < most && !stopped()) {
+    while (best && growth > kLeastProgress && partedAfter(here, best) < most && work_.factors < last &&
+           !stopped()) {
         Arc next = arc;
         next.displacement *= growth;
         PathStep guess = scaled(best, growth);

@@ -52,7 +52,8 @@ class EquilibriumPath {
     /// The same for the first load: joints are unbreakable at first, and then weaken step by step.
     PathStep fromHeldJoints();
     /// Moves the end against a drag, the smallest that converges, by `most` [block sizes] between neighbours.
-    PathStep against(double most);
+    /// \param most_factors factorisations after which the step is no longer extended
+    PathStep against(double most, std::int64_t most_factors);
     /// A step in pseudo-time: blocks move against a drag, by no more than `most` [block sizes] between neighbours.
     /// \param drag over the joints' stiffness; afterwards that of the next step
     PathStep relax(double most, double& drag);

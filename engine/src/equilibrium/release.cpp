@@ -6,47 +6,32 @@ namespace talus::equilibrium {
 namespace {
 
 constexpr int kMostReleaseSteps = 2'000;
-// Steps in pseudo-time that together move neighbours by less than this share of the longest step make no
-// progress: nearly all contact points are at their limit, and go over it and back.
-constexpr int kStepsOfProgress = 5;
-constexpr double kLeastProgress = 3e-3;
-// Of the longest step: shorter slides are no progress, either.
+// A slide is given up after that many factorisations: blocks then move in many ways. Slides of small models
+// take up to some hundred.
+constexpr std::int64_t kMostOfSlide = 100;
+// Of the longest step: a shorter slide is no progress, either.
 constexpr double kLongSlide = 0.5;
 
-/// Steps of a release. They are steps in pseudo-time, where blocks move in many ways. Where all slide at their
-/// limit, as one, they are steps of a given length in the direction of the slide.
+/// Steps of a release: to equilibrium, where it is near; else of a given length in the direction of the slide;
+/// and where that takes too much work, in pseudo-time.
 class Steps {
  public:
     Steps(EquilibriumPath& path, double length)
         : path_(path), length_(length), drag_(path.rules().relaxation_drag) {}
 
     PathStep next() {
-        if (slides_ || is_first_) {
-            PathStep rest = path_.toRest();
-            if (rest && path_.partedBy(rest) <= length_) return rest;
-        }
-        is_first_ = false;
-        if (!slides_) return inPseudoTime();
-        PathStep slide = path_.against(length_);
-        if (!slide || path_.partedBy(slide) < kLongSlide * length_) slides_ = false;
-        return slide ? slide : inPseudoTime();
+        if (!slides_) return path_.relax(length_, drag_);
+        PathStep rest = path_.toRest();
+        if (rest && path_.partedBy(rest) <= length_) return rest;
+        PathStep slide = path_.against(length_, kMostOfSlide);
+        slides_ = slide && path_.partedBy(slide) >= kLongSlide * length_;
+        return slide ? slide : path_.relax(length_, drag_);
     }
 
  private:
-    PathStep inPseudoTime() {
-        if (count_ == 0) since_ = path_.parting();
-        PathStep step = path_.relax(length_, drag_);
-        if (!step || ++count_ < kStepsOfProgress) return step;
-        slides_ = path_.partedAfter(since_, step) < kLeastProgress * length_;
-        count_ = 0;
-        return step;
-    }
-
     EquilibriumPath& path_;
     double length_, drag_;
-    Parting since_{};
-    int count_ = 0;
-    bool slides_ = false, is_first_ = true;
+    bool slides_ = true;
 };
 
 }  // namespace
