@@ -27,7 +27,7 @@ constexpr int kShorterSlides = 8;
 constexpr double kLeastProgress = 1.02;  // of a release: it makes no progress
 constexpr double kLessGrowth = 0.3;      // of the excess over 1, after a failure
 constexpr double kAlmost = 0.8;          // of the farthest that blocks may move in a step in pseudo-time
-// Over the joints' stiffness: blocks then hardly move, and a step that fails is no matter of its length.
+// Over the joints' stiffness. Blocks hardly move against it, and against more a step converges no better.
 constexpr double kMostDrag = 1e3;
 constexpr double kRecovers = 0.5;  // of the drag of a slowed block, from step to step
 

@@ -18,8 +18,9 @@ enum class Released : std::uint8_t {
 /// The same for a load on an assembly that nothing has acted on: at first all joints hold.
 Released releaseFromHeldJoints(EquilibriumPath& path, double load, const Parting& since, double leaves);
 
-/// Drag does not affect an equilibrium, and a failing assembly fails under any drag. Each step is a
-/// continuation in the drag, from one that hardly lets blocks move to as little as converges.
+/// Drag does not affect an equilibrium, and a failing assembly fails under any drag. Equilibrium nearby is
+/// tried first. Else blocks slide as one, over a given distance, under the drag that this takes. Where blocks
+/// move in many ways, they move in pseudo-time, under a drag that falls as Newton's method converges.
 /// \param load    held from now on
 /// \param since the moment from which parting counts
 /// \param leaves parting of neighbours that counts as failure [median block sizes]

@@ -60,8 +60,10 @@ TEST_SUITE("equilibrium") {
                 Displaced displaced(wall(), {.local_rings = rings, .local_share = 0.5}, 14, by);
                 const PathStep before = displaced.at;
                 const double residual = displaced.equations.merit(displaced.residual);
-                REQUIRE(settleWorst(displaced.equations, displaced.arc, displaced.residual, displaced.at, displaced.poses));
-                displaced.equations.residual(displaced.arc, displaced.at, displaced.poses, false, displaced.residual);
+                REQUIRE(settleWorst(displaced.equations, displaced.arc, displaced.residual, displaced.at,
+                                    displaced.poses));
+                displaced.equations.residual(displaced.arc, displaced.at, displaced.poses, false,
+                                             displaced.residual);
                 const std::vector<std::size_t> moved = movedRows(before, displaced.at);
                 CHECK(moved.size() >= 3);
                 CHECK(moved.size() < 0.5 * static_cast<double>(before.x.size()));

@@ -165,7 +165,9 @@ TEST_SUITE("equilibrium") {
         }
     }
 
-    TEST_CASE("path equations: in pseudo-time each block is held by the stiffness of its joints, and by more when it is slowed") {
+    TEST_CASE(
+        "path equations: in pseudo-time each block is held by the stiffness of its joints, and by more when "
+        "it is slowed") {
         const Model model = twoBoxes();
         const search::LoadAxis tilt = search::tiltAxis(model, {});
         Equations equations(*buildState(model, false), tilt.loading, kPathLoad);
