@@ -34,10 +34,12 @@ bool firstIsReference(const State& state, std::size_t first, std::size_t second)
 /// not add to it. It is not followed below `least`.
 double depthIn(const WorldShape& shape, const Vec3& point, double least) {
     double depth = kInfinity;
-    for (std::size_t face = 0; face < shape.faces.size() && depth > least; ++face)
-        for (const std::int32_t v : shape.faces[face])
+    for (std::size_t face = 0; face < shape.faces.size() && depth > least; ++face) {
+        for (const std::int32_t v : shape.faces[face]) {
             depth =
                 std::min(depth, shape.normals[face].dot(shape.vertices[static_cast<std::size_t>(v)] - point));
+        }
+    }
     return depth;
 }
 

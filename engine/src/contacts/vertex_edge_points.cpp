@@ -238,8 +238,8 @@ struct FaceOutline {
     std::pmr::vector<Vec3> outward;  ///< of each line, unit
     double size = 0;
 
-    FaceOutline(const WorldShape& shape_, std::size_t face, std::pmr::polymorphic_allocator<> memory)
-        : shape(shape_), outline(shape_.faces[face]), normal(shape_.normals[face]), outward(memory) {
+    FaceOutline(const WorldShape& placed, std::size_t face, std::pmr::polymorphic_allocator<> memory)
+        : shape(placed), outline(placed.faces[face]), normal(placed.normals[face]), outward(memory) {
         outward.reserve(outline.size());
         for (std::size_t i = 0; i < outline.size(); ++i) {
             const Vec3 line = corner(i + 1) - corner(i);

@@ -148,18 +148,20 @@ SparseMatrix Equations::derivative(const Vector& heads, const Wetness& wetness) 
         const TriangleFlow flow = flowIn(t, heads, wetness);
         for (std::size_t column = 0; column < 3; ++column) {
             const double slope = wetness.slope[at(network_->triangles[t][column])];
-            for (std::size_t row = 0; row < 3; ++row)
+            for (std::size_t row = 0; row < 3; ++row) {
                 add(t, row, column, flow.by_head[row][column] + slope * flow.by_conductivity[row][column],
                     matrix);
+            }
         }
     }
     return matrix;
 }
 
 void Equations::addStorage(double multiple, SparseMatrix& matrix) const {
-    for (std::size_t n = 0; n < held_.size(); ++n)
-        if (!isHeld(n))
-            matrix.valuePtr()[structure_.diagonal(n)] += multiple * around_[static_cast<Eigen::Index>(n)];
+    for (std::size_t n = 0; n < held_.size(); ++n) {
+        if (isHeld(n)) continue;
+        matrix.valuePtr()[structure_.diagonal(n)] += multiple * around_[static_cast<Eigen::Index>(n)];
+    }
 }
 
 void Equations::stopInRamp(const Vector& from, double ramp, Vector& to) const {

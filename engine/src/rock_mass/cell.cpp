@@ -217,10 +217,12 @@ std::int32_t VertexTable::find(const Vec3& position) const {
         low[axis] = stepOf(at - weld_);
         high[axis] = stepOf(at + weld_);
     }
-    for (std::int64_t z = low[2]; z <= high[2]; ++z)
-        for (std::int64_t y = low[1]; y <= high[1]; ++y)
+    for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+        for (std::int64_t y = low[1]; y <= high[1]; ++y) {
             for (std::int64_t x = low[0]; x <= high[0]; ++x)
                 if (const std::int32_t v = findIn(keyOf(x, y, z), position); v >= 0) return v;
+        }
+    }
     return -1;
 }
 

@@ -69,10 +69,10 @@ void ContactPoints::setMemory(std::size_t slot, const contact::PointMemory& valu
     memory.set(slot, 3, value.dilation);
 }
 
-contact::PatchPoint onlyPoint(const Interfaces& f, std::size_t i) {
-    assert(f.cornerCount(i) == 1);
-    const std::size_t slot = f.cornerSlot(i, 0);
-    return {{f.corners.get(slot, 0), f.corners.get(slot, 1)}, f.area[i]};
+contact::PatchPoint onlyPoint(const Interfaces& interfaces, std::size_t interface) {
+    assert(interfaces.cornerCount(interface) == 1);
+    const std::size_t slot = interfaces.cornerSlot(interface, 0);
+    return {{interfaces.corners.get(slot, 0), interfaces.corners.get(slot, 1)}, interfaces.area[interface]};
 }
 
 std::vector<contact::PatchPoint> interfacePoints(const Interfaces& f, std::size_t i, const PointRule& rule) {
