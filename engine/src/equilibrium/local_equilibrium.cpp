@@ -9,7 +9,7 @@
 namespace talus::equilibrium {
 namespace {
 
-constexpr int kIterations = 12;
+constexpr int kIterations = 12;         // of Newton's method for these blocks
 constexpr double kLeastDecrease = 0.1;  // of the residual, by a whole correction
 constexpr double kNear = 0.5;           // of the first residual
 
