@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "forces/contact_forces.h"
@@ -28,13 +29,14 @@ struct PointSum {
 double affineAt(const Vec3& f, const Eigen::Vector2d& at) { return f.x() + at.x() * f.y() + at.y() * f.z(); }
 
 /// Energy to bring a closed contact point's springs to their lengths [J], independent of their forces, which
-/// elasticEnergy uses. Where strength limits a force, the limit gives the length.
+/// elasticEnergy uses. Where strength limits a force, the limit gives the length. A bond that is being
+/// released holds shear while its point is apart, and nothing is pressed.
 double normalEnergy(const contact::JointLaw& law, const ContactPoint& point) {
     const contact::PointForce& force = point.force;
     if (force.open) return 0;
     if (force.normal < 0)
         return contact::storedEnergy(law, point.area, point.memory.bond, {.normal = force.normal});
-    return contact::energyToPress(law, point.area, 0.0, point.memory.dilation - point.gap);
+    return contact::energyToPress(law, point.area, 0.0, std::max(0.0, point.memory.dilation - point.gap));
 }
 
 double shearEnergy(const contact::JointLaw& law, const RelativePose& pose, const ContactPoint& point) {

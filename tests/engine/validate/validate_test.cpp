@@ -4,12 +4,14 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
 
 #include "build/build.h"
 #include "contacts/update.h"
+#include "forces/contact_forces.h"
 #include "state/incidence.h"
 #include "state/point_layout.h"
 #include "step/step.h"
@@ -285,4 +287,23 @@ TEST_CASE(
                 {"an energy is negative",
                  [](State& s) { s.blocks.inverse_mass[1] *= -1, s.blocks.velocity.x[1] = 100; }}},
                validateForces);
+}
+
+TEST_CASE("validate: a bond that is being released holds shear while its contact points are apart") {
+    Model model = stackModel(1, 1, 1, 0, {0.2, 0.1, 0.1});
+    model.joints[0].cohesion = 1e9;
+    State state = *buildState(model, false);
+    state.release = 0.25;
+    const Vec3 apart(1e-8, 0, 1e-7);
+    const std::size_t block = state.blocks.size() - 1;
+    REQUIRE(state.blocks.motion[block] == Motion::free);
+    state.blocks.position.set(block, state.blocks.position.get(block) + apart);
+    updateForces(state, false);
+    CHECK(validateForces(state).empty());
+    for (const ContactPoint& point : contactPoints(state, firstPatch(state))) {
+        CHECK_FALSE(point.force.open);
+        CHECK(point.memory.bond == 0.75);
+        CHECK(point.force.normal == 0);
+        CHECK(std::hypot(point.force.shear_1, point.force.shear_2) > 0);
+    }
 }
