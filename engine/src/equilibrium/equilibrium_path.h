@@ -28,6 +28,8 @@ class EquilibriumPath {
     const SearchRules& rules() const { return rules_; }
     const PathWork& work() const { return work_; }
     bool stopped() const { return equations_.stopped(); }
+    /// It is as if interrupted after so many factorisations.
+    void limitWork(std::int64_t most_factors) { equations_.limitWork(most_factors); }
     /// The step committed last; empty after a change of contacts of another kind or a jump.
     const PathStep& last() const { return last_; }
 

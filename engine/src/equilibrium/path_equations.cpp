@@ -96,7 +96,7 @@ void PathEquations::takePoses(Poses poses) {
     readApplied(state_, balance_);
 }
 
-bool PathEquations::stopped() const { return isStopped(stop_); }
+bool PathEquations::stopped() const { return work_.factors > most_factors_ || isStopped(stop_); }
 
 double PathEquations::sizeOf(std::size_t row) const {
     return std::max(balance_.size[row], rules_.least_block_size * state_.geometry->length_scale);

@@ -18,6 +18,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -117,7 +118,9 @@ class PathEquations {
 
     const State& state() const { return state_; }
     const SearchRules& rules() const { return rules_; }
+    /// From outside, or when it has taken more factorisations than allowed.
     bool stopped() const;
+    void limitWork(std::int64_t most_factors) { most_factors_ = most_factors; }
 
  private:
     double sizeOf(std::size_t row) const;
@@ -129,6 +132,7 @@ class PathEquations {
     const SearchRules& rules_;
     const std::atomic<bool>* stop_;
     PathWork& work_;
+    std::int64_t most_factors_ = std::numeric_limits<std::int64_t>::max();
     Balance balance_{};
     Poses poses_{};
     double load_ = 0;

@@ -125,17 +125,14 @@ void Search::stopDrivenBlocks() {
 }
 
 void Search::report(const std::string& stage, double fraction, const std::string& detail) const {
-    if (enough_ != nullptr && path_now_ != nullptr &&
-        result_.factors + path_now_->work().factors - counted_.factors > most_factors_)
-        enough_->store(true);
     if (control_.progress) control_.progress({stage, fraction, detail});
 }
 
 Course Search::beginAt(double factor, bool weakens) {
     Course course{.path = std::make_unique<EquilibriumPath>(*built_, rules_, parallel_, control_.stop)};
+    if (enough_ != nullptr) course.path->limitWork(most_factors_ - result_.factors);
     if (coupled_) course.path->couple(&*coupled_);
     counted_ = {};
-    path_now_ = course.path.get();
     const auto weighted = [&](EquilibriumPath& path) {
         if (!without_friction_) settled_ = path.exactState();
         if (without_friction_) path.mark([&](State& state) { unloaded_.release(state); });

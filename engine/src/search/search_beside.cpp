@@ -24,7 +24,7 @@ using equilibrium::Released;
 constexpr double kElasticEffect = 0.01;
 // Of the block size: blocks that move by less before they fail change lever arms by less than that share.
 constexpr double kLeans = 1e-3;
-// Factorisations that a secondary answer may take beyond those of the answer: negligible time.
+// Factorisations that the answer for other joints may take beyond those of the answer: negligible time.
 constexpr std::int64_t kLeastEffort = 1000;
 constexpr double kStiffer = 10;  // usual variation of stiffness in sensitivity studies
 
@@ -209,9 +209,11 @@ Result<SearchResult> Search::answerOf(const Model& model) const {
     control.interval = false;
     control.upper_bound = Beside::never;
     Search other(varied_, model, control, rules_);
-    other.most_factors_ = kLeastEffort + result_.factors;
+    other.most_factors_ = kLeastEffort + factors_of_answer_;
     other.enough_ = &enough;
-    return other.run();
+    Result<SearchResult> result = other.run();
+    if (result && result->factors > other.most_factors_) result->status = SearchStatus::interrupted;
+    return result;
 }
 
 std::optional<double> Search::addAnswerOf(const Model& model, const std::string& what) {
@@ -271,6 +273,7 @@ void Search::addInterval(const Course& course) {
         lowerInterval(limit->value,
                       "limit equilibrium, " + (limit->translation_only ? "translation only" : limit->kind));
     if (!control_.interval || isStopped(control_)) return;
+    factors_of_answer_ = result_.factors;
     addUnloadedJoints(course);
     addElasticity(course);
 }

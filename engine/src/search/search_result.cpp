@@ -38,6 +38,7 @@ void Search::effort(const EquilibriumPath& path) {
     result_.steps += path.work().steps - counted_.steps;
     result_.factors += path.work().factors - counted_.factors;
     counted_ = path.work();
+    if (enough_ != nullptr && result_.factors > most_factors_) enough_->store(true);
 }
 
 Result<SearchResult> Search::interruptedBefore() {

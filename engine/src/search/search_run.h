@@ -173,8 +173,8 @@ class Search {
     std::optional<State> settled_{};  ///< when the weight was first in equilibrium
     UnloadedJoints unloaded_{};       ///< where the search begins, with more strength
     bool without_friction_ = false;
-    const EquilibriumPath* path_now_ = nullptr;
-    /// For a secondary answer: its limit of work, and its interruption.
+    std::int64_t factors_of_answer_ = 0;
+    /// For a secondary answer: its limit of work, counted as in the result, and its interruption.
     std::int64_t most_factors_ = 0;
     std::atomic<bool>* enough_ = nullptr;
     std::optional<Followers> followers_{};  ///< of what was too small to be the answer without them

@@ -73,6 +73,20 @@ TEST_SUITE("equilibrium") {
         }
     }
 
+    TEST_CASE("a path whose work is limited ends as if interrupted, within one step in Newton's method") {
+        constexpr std::int64_t kMost = 7;
+        LoadedPath loaded(boxOnFloor(35, {1, 1, 0.3}));
+        EquilibriumPath& path = loaded.path;
+        const std::int64_t before = path.work().factors;
+        path.limitWork(before + kMost);
+        CHECK_FALSE(path.stopped());
+        climb(path, 5e-3);
+        CHECK(path.stopped());
+        CHECK(path.work().factors > before + kMost);
+        CHECK(path.work().factors <= before + kMost + 1);
+        CHECK_FALSE(path.toRest());
+    }
+
     TEST_CASE("joints give under the weight by rho g h / k") {
         for (const double height : {0.1, 0.4}) {
             const LoadedPath loaded(boxOnFloor(30, {1, 1, height}, 1e9));
