@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "support/models.h"
 #include "talus/searches.h"
@@ -45,6 +46,29 @@ struct Column {
     }
 };
 
+/// A block of 1 m on an inclined bed. Its weight acts e = h/2 tan(tilt) off the bed's middle, outside the
+/// middle third, so that a = 3 (b/2 - e) stay closed. With cohesion c on that part alone
+/// F = (c a + N tan(phi)) / T, per metre of depth.
+struct LeaningBlock {
+    double height, tilt_deg, cohesion, friction_deg = 20;
+
+    Model model(PointRule::Kind rule) const {
+        Model model = floorModel(friction_deg, 1e11);
+        model.points.kind = rule;
+        model.gravity.tilt = radians(tilt_deg);
+        model.joints[0].cohesion = model.joints[0].residual_cohesion = cohesion;
+        addBox(model, "block", {0, 0, 0}, {1, 1, height});
+        return model;
+    }
+
+    double factor(double closed) const {
+        const double tilt = radians(tilt_deg), weight = 2700 * 9.81 * height;
+        return (cohesion * closed + weight * std::cos(tilt) * std::tan(radians(friction_deg))) /
+               (weight * std::sin(tilt));
+    }
+    double closed() const { return 3 * (0.5 - 0.5 * height * std::tan(radians(tilt_deg))); }
+};
+
 double answerOf(const Model& model, bool interval, std::pair<double, double>* between = nullptr) {
     const auto answer = criticalAngle(model, {.interval = interval, .upper_bound = Beside::never});
     REQUIRE(answer.ok());
@@ -67,6 +91,27 @@ TEST_SUITE("physics") {
                                      Column{.width = 1, .height = 6, .depth = 2, .stiffness = 2e10}})
             CHECK(std::abs(degrees(answerOf(column.model(PointRule::Kind::distributed), false) -
                                    column.overturns())) < 0.01);
+    }
+
+    TEST_CASE("cohesion acts on the closed part of a joint that is open in part") {
+        for (const LeaningBlock& block : {LeaningBlock{1, 30, 10e3}, LeaningBlock{1.2, 28, 15e3},
+                                          LeaningBlock{0.8, 35, 20e3}, LeaningBlock{1.5, 24, 12e3}}) {
+            CAPTURE(block.height);
+            REQUIRE(block.closed() < 0.9);
+            const double exact = block.factor(block.closed());
+            const auto distributed =
+                safetyFactor(block.model(PointRule::Kind::distributed), {.interval = false});
+            REQUIRE(distributed.ok());
+            CHECK(distributed->answer == doctest::Approx(exact).epsilon(2e-3));
+            // Its contact points are open or closed as a whole; the interval and a warning give the rest.
+            const auto vertex = safetyFactor(block.model(PointRule::Kind::vertex));
+            REQUIRE(vertex.ok());
+            CHECK(vertex->answer > 1.01 * exact);
+            CHECK(vertex->answer_interval->first == doctest::Approx(exact).epsilon(2e-3));
+            CHECK(std::any_of(vertex->warnings.begin(), vertex->warnings.end(), [](const std::string& line) {
+                return line.find("joints with cohesion are open in part") != std::string::npos;
+            }));
+        }
     }
 
     TEST_CASE("where a block topples, the interval includes its elastic pivot") {

@@ -48,7 +48,8 @@ constexpr double kStillSlipping = 1.1;
 
 bool isSlipping(const contact::JointLaw& law, const ContactPoint& point) {
     constexpr double kAtStrength = 1.0 - 1e-9;
-    const double strength = contact::shearStrength(law, point.area, point.force.normal, point.memory.bond);
+    const double strength =
+        contact::shearStrength(law, point.area, point.force.normal, point.memory.bond, point.cohesive);
     return strength > 0 && std::hypot(point.force.shear_1, point.force.shear_2) >= kAtStrength * strength;
 }
 

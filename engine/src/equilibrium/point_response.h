@@ -17,6 +17,8 @@ struct PointResponse {
     V by_2_2{};                ///< of shear_2 by slide_2
     V by_gap_1{}, by_gap_2{};  ///< of the shear forces by the gap: friction follows the normal force
     V by_gap_n{};              ///< of the normal force by the gap
+    /// Of the shear forces by the share of the area that has cohesion [N].
+    V by_cohesive_1{}, by_cohesive_2{};
     simd::MaskOf<V> open{}, slips{};
 };
 
@@ -29,9 +31,11 @@ inline constexpr double kCorner = 1.0 - 1e-9;
 /// hold their remaining strength: an overloaded one yields at it, and breaks when the step is committed. The
 /// derivative is unsymmetric where the contact point slips: its shear force follows the normal force, not the
 /// reverse.
+/// \param cohesive  share of its area that has cohesion
 template <bool Curved = true, class V>
 TALUS_KERNEL PointResponse<V> pointResponse(const contact::JointParameters<V>& joint, V area, V slide_1,
-                                            V slide_2, V gap, const contact::MemoryOf<V>& memory) {
+                                            V slide_2, V gap, const contact::MemoryOf<V>& memory,
+                                            V cohesive = V{} + 1.0) {
     using simd::any, simd::both, simd::larger, simd::select, simd::squareRoot;
     const V zero{};
     PointResponse<V> point;
@@ -50,7 +54,7 @@ TALUS_KERNEL PointResponse<V> pointResponse(const contact::JointParameters<V>& j
     point.by_gap_n = select(trial_normal < -tension_limit, zero, zero - normal_stiffness);
     const V back_1 = memory.offset_1 - slide_1, back_2 = memory.offset_2 - slide_2;
     const V back_squared = back_1 * back_1 + back_2 * back_2;
-    const V strength = contact::shearStrength<Curved>(joint, area, point.normal, memory.bond);
+    const V strength = contact::shearStrength<Curved>(joint, area, point.normal, memory.bond, cohesive);
     point.slips = both(!point.open, stiffness * stiffness * back_squared > kCorner * strength * strength);
     V left = stiffness;
     if (any(point.slips)) {
@@ -65,6 +69,10 @@ TALUS_KERNEL PointResponse<V> pointResponse(const contact::JointParameters<V>& j
         point.by_2_2 = select(point.slips, left * along_2 * along_2, zero);
         point.by_gap_1 = select(point.slips, slope * along_1, zero);
         point.by_gap_2 = select(point.slips, slope * along_2, zero);
+        const V cohesion =
+            select(strength > 0.0, contact::cohesionOf<Curved>(joint, memory.bond) * area, zero);
+        point.by_cohesive_1 = select(point.slips, cohesion * along_1, zero);
+        point.by_cohesive_2 = select(point.slips, cohesion * along_2, zero);
     }
     left = select(point.open, zero, left);
     point.by_1_1 = point.by_1_1 - left;

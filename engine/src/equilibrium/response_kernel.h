@@ -84,7 +84,23 @@ struct ResponseSum {
         addRates(moment_by, x, y, z, gap_by, moment_by_shift, moment_by_turn);
     }
 
+    /// What the cohesion of a partly open share adds. \param by  how that share grows: as gap_by above
+    TALUS_KERNEL void addCohesiveRates(const PointResponse<V>& point, V x, V y, const Triple<V>& by) {
+        const V zero{};
+        const Triple<V> force{point.by_cohesive_1, point.by_cohesive_2, zero};
+        const Triple<V> torque{zero, zero, x * point.by_cohesive_2 - y * point.by_cohesive_1};
+        addNormalRates(force, by, force_by_shift, force_by_turn);
+        addNormalRates(torque, by, moment_by_shift, moment_by_turn);
+    }
+
  private:
+    TALUS_KERNEL static void addNormalRates(const Triple<V>& rate, const Triple<V>& by, Square<V>& by_shift,
+                                            Square<V>& by_turn) {
+        by_shift.c[2] = by_shift.c[2] + by.x * rate;
+        by_turn.c[0] = by_turn.c[0] + by.z * rate;
+        by_turn.c[1] = by_turn.c[1] - by.y * rate;
+    }
+
     TALUS_KERNEL static void addRates(const Triple<V> (&by)[3], V x, V y, V z, const Triple<V>& gap_by,
                                       Square<V>& by_shift, Square<V>& by_turn) {
         by_shift.c[0] = by_shift.c[0] + by[0];
@@ -173,6 +189,52 @@ TALUS_KERNEL void storeStiffness(const Members<V>& members, const RelativePoseOf
     storeBlock(members, makeBlock(b, by_b, b, on_b), to + 3 * kStiffnessBlock);
 }
 
+/// What the law takes at a contact point, and how that grows with the motion (ResponseSum::addRates): at the
+/// point's own place.
+template <class V>
+struct AtPlace {
+    TALUS_KERNEL V gap(V at_place, V) const { return at_place; }
+    TALUS_KERNEL V cohesive(V) const { return V{} + 1.0; }
+    TALUS_KERNEL void addRates(const PointResponse<V>& point, V x, V y, V z, V, ResponseSum<V>& sum) const {
+        sum.addRates(point, x, y, z, {V{} + 1.0, x, y});
+    }
+};
+
+/// The same of its share of a patch that is partly open.
+template <class V>
+struct OverShare {
+    const ShareOf<V>& share;
+    const RelativePoseOf<V>& pose;
+    const contact::JointParameters<V>& law;
+
+    TALUS_KERNEL V gap(V at_place, V bond) const {
+        using simd::select;
+        return select(share.counts, contact::gapOfShare(law, bond, at_place, share.overlap, share.closed),
+                      at_place);
+    }
+    TALUS_KERNEL V cohesive(V bond) const {
+        using simd::select;
+        return select(share.counts, contact::cohesiveShare(law, bond, share.closed), V{} + 1.0);
+    }
+    TALUS_KERNEL void addRates(const PointResponse<V>& point, V x, V y, V z, V bond,
+                               ResponseSum<V>& sum) const {
+        using simd::select;
+        const V one = V{} + 1.0;
+        const V follows = select(share.counts, contact::followsShare(law, bond), V{});
+        const Triple<V> by = slid(share.by_overlap);
+        sum.addRates(point, x, y, z,
+                     {one + follows * (by.x - one), x + follows * (by.y - x), y + follows * (by.z - y)});
+        sum.addCohesiveRates(point, x, y, -follows * slid(share.closed_by_overlap));
+    }
+
+ private:
+    /// The material points at which the share's overlap is measured have slid.
+    TALUS_KERNEL Triple<V> slid(const Triple<V>& by) const {
+        return {by.x, by.y + (by.x * pose.slide_1.x + by.y * pose.slide_1.y + by.z * pose.slide_1.z),
+                by.z + (by.x * pose.slide_2.x + by.y * pose.slide_2.y + by.z * pose.slide_2.z)};
+    }
+};
+
 /// One group's contact points, one after the other.
 template <class V, bool Curved, bool Stiffness>
 struct ResponseLoop {
@@ -184,38 +246,15 @@ struct ResponseLoop {
     ResponseSum<V> sum{};
 
     TALUS_KERNEL void operator()(V xi, V eta, V area, std::size_t slot) {
-        respond(
-            xi, eta, area, slot, [](V gap, V) { return gap; },
-            [](V x, V y, V) {
-                return Triple<V>{V{} + 1.0, x, y};
-            });
+        respond(xi, eta, area, slot, AtPlace<V>{});
     }
     TALUS_KERNEL void operator()(V xi, V eta, V area, std::size_t slot, const ShareOf<V>& share) {
-        using simd::select;
-        respond(
-            xi, eta, area, slot,
-            [&](V gap, V bond) {
-                return select(share.counts, contact::gapOfShare(law, bond, gap, share.overlap), gap);
-            },
-            [&](V x, V y, V bond) {
-                const V follows = select(share.counts, contact::followsShare(law, bond), V{});
-                // The material points at which the share's overlap is measured have slid.
-                const Triple<V>& by = share.by_overlap;
-                const V sum_x =
-                    by.y + (by.x * pose.slide_1.x + by.y * pose.slide_1.y + by.z * pose.slide_1.z);
-                const V sum_y =
-                    by.z + (by.x * pose.slide_2.x + by.y * pose.slide_2.y + by.z * pose.slide_2.z);
-                const V one = V{} + 1.0;
-                return Triple<V>{one + follows * (by.x - one), x + follows * (sum_x - x),
-                                 y + follows * (sum_y - y)};
-            });
+        respond(xi, eta, area, slot, OverShare<V>{share, pose, law});
     }
 
-    /// \param gap_of  what the law takes for the gap at its place and the bond that is left
-    /// \param gap_by  how that grows with the motion (ResponseSum::addRates)
-    template <class GapOf, class GapBy>
-    TALUS_KERNEL void respond(V xi, V eta, V area, std::size_t slot, const GapOf& gap_of,
-                              const GapBy& gap_by) {
+    /// \param how  AtPlace, or OverShare
+    template <class How>
+    TALUS_KERNEL void respond(V xi, V eta, V area, std::size_t slot, const How& how) {
         using simd::any;
         const double* row = view.memory + slot * (view.remembers ? kMemoryQuantities : kSlideQuantities);
         contact::MemoryOf<V> memory;
@@ -226,13 +265,13 @@ struct ResponseLoop {
             memory.dilation = members.load(row + 3 * kRow);
         }
         const V slide_1 = affine(pose.slide_1, xi, eta), slide_2 = affine(pose.slide_2, xi, eta);
-        const PointResponse<V> point = pointResponse<Curved>(
-            law, area, slide_1, slide_2, gap_of(affine(pose.gap, xi, eta), memory.bond), memory);
+        const PointResponse<V> point = pointResponse<Curved>(law, area, slide_1, slide_2,
+                                                             how.gap(affine(pose.gap, xi, eta), memory.bond),
+                                                             memory, how.cohesive(memory.bond));
         if (!any(!point.open)) return;
         const V x = xi + slide_1, y = eta + slide_2;
         sum.add(point, x, y);
-        if constexpr (Stiffness)
-            sum.addRates(point, x, y, affine(height, xi, eta), gap_by(x, y, memory.bond));
+        if constexpr (Stiffness) how.addRates(point, x, y, affine(height, xi, eta), memory.bond, sum);
     }
 };
 

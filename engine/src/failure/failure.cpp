@@ -83,7 +83,8 @@ void addContactEvidence(const State& state, std::size_t block, BlockMotion& moti
                 continue;
             }
             shear += std::hypot(point.force.shear_1, point.force.shear_2);
-            strength += contact::shearStrength(law, point.area, point.force.normal, point.memory.bond);
+            strength += contact::shearStrength(law, point.area, point.force.normal, point.memory.bond,
+                                               point.cohesive);
         }
     }
     motion.open_share = area > 0 ? open_area / area : 1.0;

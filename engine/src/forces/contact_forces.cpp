@@ -65,10 +65,16 @@ double affineAt(const Vec3& f, const Eigen::Vector2d& place) {
     return affine<double>({f.x(), f.y(), f.z()}, place.x(), place.y());
 }
 
+/// What the law takes at a contact point of a partly open patch.
+struct PointShare {
+    double overlap = 0;  ///< mean [m]
+    double closed = 0;   ///< of its area
+};
+
 /// A patch that is partly open, with the rule "distributed".
 struct Shares {
-    std::vector<double> overlap{};  ///< mean of each contact point's share [m]; empty: the patch is no such
-    double energy = 0;              ///< of the pressure k_n overlap, over k_n [m^4]
+    std::vector<PointShare> points{};  ///< empty: the patch is no such
+    double energy = 0;                 ///< of the pressure k_n overlap, over k_n [m^4]
 };
 
 bool isPartlyOpen(const std::vector<Eigen::Vector2d>& outline, const Vec3& gap) {
@@ -86,7 +92,7 @@ Shares sharesOf(const Interfaces& interfaces, std::size_t interface, const Vec3&
     if (!isPartlyOpen(outline, gap)) return {};
     // The origin is the patch's centroid.
     const std::size_t m = outline.size();
-    Shares shares{std::vector<double>(2 * m + 1)};
+    Shares shares{std::vector<PointShare>(2 * m + 1)};
     std::vector<double> area(2 * m + 1);
     for (std::size_t k = 0; k < m; ++k) {
         const Eigen::Vector2d &here = outline[k], &next = outline[(k + 1) % m];
@@ -95,13 +101,18 @@ Shares sharesOf(const Interfaces& interfaces, std::size_t interface, const Vec3&
         const contact::TriangleShares of = contact::sharesOf(overlap);
         const std::size_t points[4]{k, (k + 1) % m, m, m + 1 + k};
         for (std::size_t p = 0; p < 4; ++p) {
-            shares.overlap[points[p]] += triangle * of.overlap[p];
+            shares.points[points[p]].overlap += triangle * of.overlap[p];
+            shares.points[points[p]].closed += triangle * of.closed[p];
             area[points[p]] += triangle * (p == 3 ? 0.75 : 1.0 / 12);
         }
         for (int i = 0; i < 3; ++i)
             shares.energy += 0.5 * triangle * overlap[i] * (of.overlap[i] + of.overlap[3] / 3);
     }
-    for (std::size_t p = 0; p < area.size(); ++p) shares.overlap[p] /= area[p] > 0 ? area[p] : kInfinity;
+    for (std::size_t p = 0; p < area.size(); ++p) {
+        const double whole = area[p] > 0 ? area[p] : kInfinity;
+        shares.points[p].overlap /= whole;
+        shares.points[p].closed /= whole;
+    }
     return shares;
 }
 
@@ -159,6 +170,11 @@ void updateContacts(State& state, Range groups) {
         contactView(state), groups.begin, groups.end);
 }
 
+bool isPartlyOpen(const State& state, std::size_t i) {
+    const Interfaces& f = state.interfaces;
+    return f.cornerCount(i) > 1 && isPartlyOpen(patchOutline(f, i), relativePose(state, i).gap);
+}
+
 Contacts contactsOf(const State& state) {
     return {state.blocks, state.interfaces, state.points, state.laws, state.geometry->model.points};
 }
@@ -169,9 +185,9 @@ std::vector<ContactPoint> contactPoints(const State& state, std::size_t i) {
 
 namespace {
 
-/// A contact point with its force. \param share  of the overlap, where the patch is partly open; else null
+/// A contact point with its force. \param share  where the patch is partly open; else null
 ContactPoint pointAt(const Contacts& contacts, std::size_t i, std::size_t k, const contact::PatchPoint& place,
-                     const RelativePose& pose, const double* share) {
+                     const RelativePose& pose, const PointShare* share) {
     constexpr double kNoRelease = 0.0;
     const Interfaces& f = contacts.interfaces;
     const contact::JointLaw& law = contacts.laws[static_cast<std::size_t>(f.joint[i])];
@@ -180,10 +196,15 @@ ContactPoint pointAt(const Contacts& contacts, std::size_t i, std::size_t k, con
                        .gap = affineAt(pose.gap, place.position),
                        .force = {},
                        .memory = contacts.points.memoryAt(f.pointSlot(i, k))};
-    if (share != nullptr) point.gap = contact::gapOfShare<double>(law, point.memory.bond, point.gap, *share);
+    if (share != nullptr) {
+        point.gap =
+            contact::gapOfShare<double>(law, point.memory.bond, point.gap, share->overlap, share->closed);
+        point.cohesive = contact::cohesiveShare<double>(law, point.memory.bond, share->closed);
+    }
     contact::PointMemory scratch = point.memory;
-    point.force = contact::contactLaw(law, place.area, point.gap, affineAt(pose.slide_1, place.position),
-                                      affineAt(pose.slide_2, place.position), kNoRelease, scratch);
+    point.force =
+        contact::contactLaw(law, place.area, point.gap, affineAt(pose.slide_1, place.position),
+                            affineAt(pose.slide_2, place.position), kNoRelease, scratch, point.cohesive);
     return point;
 }
 
@@ -195,7 +216,7 @@ void forEachPoint(const Contacts& contacts, std::size_t i, const RelativePose& p
     if (f.cornerCount(i) == 1) return use(pointAt(contacts, i, 0, onlyPoint(f, i), pose, nullptr));
     std::size_t k = 0;
     for (const contact::PatchPoint& place : interfacePoints(f, i, contacts.rule)) {
-        use(pointAt(contacts, i, k, place, pose, shares.overlap.empty() ? nullptr : &shares.overlap[k]));
+        use(pointAt(contacts, i, k, place, pose, shares.points.empty() ? nullptr : &shares.points[k]));
         ++k;
     }
 }
@@ -238,7 +259,7 @@ double storedEnergy(const Contacts& contacts, std::size_t i) {
         sum += contact::storedEnergy(law, point.area, point.memory.bond, point.force);
         share_all = share_all && contact::followsShare<double>(law, point.memory.bond) == 1;
     });
-    if (!share_all || shares.overlap.empty()) return sum;
+    if (!share_all || shares.points.empty()) return sum;
     // The pressure varies over a share: the energy is that of the pressure, not of its mean.
     forEachPoint(contacts, i, pose, shares, [&](const ContactPoint& point) {
         sum -= contact::normalEnergy(law, point.area, point.force.normal);

@@ -45,7 +45,11 @@ struct ContactPoint {
     double gap;                 ///< that the law takes; with the rule "distributed" that of its share [m]
     contact::PointForce force;  ///< of the springs, on b
     contact::PointMemory memory;
+    double cohesive = 1;  ///< share of its area that has cohesion: with that rule the closed one
 };
+
+/// Whether a patch is closed in one part and open in another.
+bool isPartlyOpen(const State& state, std::size_t interface);
 
 /// Input of the forces at contact points: interfaces and contact points of a state, or those before a search.
 struct Contacts {

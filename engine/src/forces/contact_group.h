@@ -118,24 +118,31 @@ TALUS_KERNEL contact::JointParameters<V> gatherLaw(const Members<V>& members, co
 /// The same for several lanes, one by one: few patches of a model are partly open.
 template <class V>
 struct TriangleSharesOf {
-    V overlap[4]{};
-    V rate[4][3]{};
+    V overlap[4]{}, closed[4]{};
+    V rate[4][3]{}, closed_rate[4][3]{};
 };
 template <class V>
 TALUS_KERNEL TriangleSharesOf<V> sharesOf(const V (&overlap)[3]) {
     constexpr std::size_t kCount = sizeof(V) / sizeof(double);
     double given[3][kCount], found[4][kCount], rate[4][3][kCount];
+    double closed[4][kCount], closed_rate[4][3][kCount];
     std::memcpy(given, overlap, sizeof given);
     for (std::size_t l = 0; l < kCount; ++l) {
         const contact::TriangleShares shares = contact::sharesOf({given[0][l], given[1][l], given[2][l]});
         for (int i = 0; i < 4; ++i) {
             found[i][l] = shares.overlap[i];
-            for (int j = 0; j < 3; ++j) rate[i][j][l] = shares.rate[i][j];
+            closed[i][l] = shares.closed[i];
+            for (int j = 0; j < 3; ++j) {
+                rate[i][j][l] = shares.rate[i][j];
+                closed_rate[i][j][l] = shares.closed_rate[i][j];
+            }
         }
     }
     TriangleSharesOf<V> result;
     std::memcpy(result.overlap, found, sizeof found);
     std::memcpy(result.rate, rate, sizeof rate);
+    std::memcpy(result.closed, closed, sizeof closed);
+    std::memcpy(result.closed_rate, closed_rate, sizeof closed_rate);
     return result;
 }
 
@@ -144,21 +151,25 @@ template <class V>
 struct ShareOf {
     simd::MaskOf<V> counts{};  ///< whether the patch is partly open; else the point has the gap at its place
     V overlap{};               ///< mean over its share [m]
-    /// How that grows with the overlap, which is affine over the patch, at its origin and with its slopes [1,
-    /// m, m].
-    Triple<V> by_overlap{};
+    V closed{};                ///< share of its area
+    /// How they grow with the overlap, which is affine over the patch, at its origin and with its slopes [1,
+    /// m, m], and over 1 m.
+    Triple<V> by_overlap{}, closed_by_overlap{};
 
-    TALUS_KERNEL void add(V weight, const V (&rate)[3], const V (&xi)[3], const V (&eta)[3]) {
-        by_overlap.x = by_overlap.x + weight * (rate[0] + rate[1] + rate[2]);
-        by_overlap.y = by_overlap.y + weight * (rate[0] * xi[0] + rate[1] * xi[1] + rate[2] * xi[2]);
-        by_overlap.z = by_overlap.z + weight * (rate[0] * eta[0] + rate[1] * eta[1] + rate[2] * eta[2]);
+    TALUS_KERNEL static void add(V weight, const V (&rate)[3], const V (&xi)[3], const V (&eta)[3],
+                                 Triple<V>& by) {
+        by.x = by.x + weight * (rate[0] + rate[1] + rate[2]);
+        by.y = by.y + weight * (rate[0] * xi[0] + rate[1] * xi[1] + rate[2] * xi[2]);
+        by.z = by.z + weight * (rate[0] * eta[0] + rate[1] * eta[1] + rate[2] * eta[2]);
     }
     /// From a sum over triangles with twice their area as weight; what has no area has no share.
     TALUS_KERNEL void divideBy(V twice_area) {
         using simd::select;
         const V inverse = select(twice_area > 0.0, (V{} + 1.0) / twice_area, V{});
         overlap = inverse * overlap;
+        closed = inverse * closed;
         by_overlap = inverse * by_overlap;
+        closed_by_overlap = inverse * closed_by_overlap;
     }
 };
 
@@ -192,7 +203,9 @@ TALUS_KERNEL void forEachShare(const View& view, const InterfaceGroup& group, co
     };
     const auto addTo = [](ShareOf<V>& share, const Triangle& of, int point) {
         share.overlap = share.overlap + of.twice_area * of.shares.overlap[point];
-        share.add(of.twice_area, of.shares.rate[point], of.xi, of.eta);
+        share.closed = share.closed + of.twice_area * of.shares.closed[point];
+        share.add(of.twice_area, of.shares.rate[point], of.xi, of.eta, share.by_overlap);
+        share.add(of.twice_area, of.shares.closed_rate[point], of.xi, of.eta, share.closed_by_overlap);
     };
     ShareOf<V> centroid{counts};
     V whole{};

@@ -101,18 +101,27 @@ struct PointLoop {
     }
 
     TALUS_KERNEL void operator()(V xi, V eta, V area, std::size_t slot) {
-        update(xi, eta, area, slot, [](V gap, V) { return gap; });
+        update(
+            xi, eta, area, slot, [](V gap, V) { return gap; }, [](V) { return V{} + 1.0; });
     }
     TALUS_KERNEL void operator()(V xi, V eta, V area, std::size_t slot, const ShareOf<V>& share) {
-        update(xi, eta, area, slot, [&](V gap, V bond) {
-            using simd::select;
-            return select(share.counts, contact::gapOfShare(law, bond, gap, share.overlap), gap);
-        });
+        using simd::select;
+        update(
+            xi, eta, area, slot,
+            [&](V gap, V bond) {
+                return select(share.counts, contact::gapOfShare(law, bond, gap, share.overlap, share.closed),
+                              gap);
+            },
+            [&](V bond) {
+                return select(share.counts, contact::cohesiveShare(law, bond, share.closed), V{} + 1.0);
+            });
     }
 
     /// \param gap_of  what the law takes for the gap at its place and the bond that is left
-    template <class GapOf>
-    TALUS_KERNEL void update(V xi, V eta, V area, std::size_t slot, const GapOf& gap_of) {
+    /// \param cohesive_of  share of its area that has cohesion, for that bond
+    template <class GapOf, class CohesiveOf>
+    TALUS_KERNEL void update(V xi, V eta, V area, std::size_t slot, const GapOf& gap_of,
+                             const CohesiveOf& cohesive_of) {
         double* row = view.memory + slot * (Remembers ? kMemoryQuantities : kSlideQuantities);
         contact::MemoryOf<V> memory;
         memory.offset_1 = members.load(row);
@@ -123,7 +132,8 @@ struct PointLoop {
         }
         const V slide_1 = affine(pose.slide_1, xi, eta), slide_2 = affine(pose.slide_2, xi, eta);
         contact::ForceOf<V> force = contact::contactLaw<Remembers, Curved>(
-            law, area, gap_of(affine(pose.gap, xi, eta), memory.bond), slide_1, slide_2, release, memory);
+            law, area, gap_of(affine(pose.gap, xi, eta), memory.bond), slide_1, slide_2, release, memory,
+            cohesive_of(memory.bond));
         members.store(row, memory.offset_1);
         members.store(row + kRow, memory.offset_2);
         if constexpr (Remembers) {

@@ -120,12 +120,20 @@ TALUS_KERNEL V coulombSlope(const JointParameters<V>& joint, V bond) {
     return joint.residual_tan_friction + bond * (joint.tan_friction - joint.residual_tan_friction);
 }
 
+/// Likewise [Pa]; curves have none.
+template <bool Curved = true, class V>
+TALUS_KERNEL V cohesionOf(const JointParameters<V>& joint, V bond) {
+    const V cohesion = joint.residual_cohesion + bond * (joint.cohesion - joint.residual_cohesion);
+    using simd::select;
+    if constexpr (Curved) return select(joint.curved, V{}, cohesion);
+    return cohesion;
+}
+
 /// Coulomb's: the right-hand side of the sliding rule, eq 9.
 template <class V>
 TALUS_KERNEL V coulombStrength(const JointParameters<V>& joint, V area, V normal_force, V bond) {
-    const V cohesion = joint.residual_cohesion + bond * (joint.cohesion - joint.residual_cohesion);
     using simd::larger;
-    return larger(cohesion * area + normal_force * coulombSlope(joint, bond), V{});
+    return larger(cohesionOf<false>(joint, bond) * area + normal_force * coulombSlope(joint, bond), V{});
 }
 
 /// Share of a curve's strength by what is left of the bond.
@@ -135,11 +143,12 @@ TALUS_KERNEL V curveShare(const JointParameters<V>& joint, V bond) {
 }
 
 /// Largest shear force the contact point carries; by a curve that of its stress. `Curved` may be false when
-/// no joint is.
+/// no joint is. \param cohesive  share of its area that has cohesion
 template <bool Curved = true, class V>
-TALUS_KERNEL V shearStrength(const JointParameters<V>& joint, V area, V normal_force, V bond) {
+TALUS_KERNEL V shearStrength(const JointParameters<V>& joint, V area, V normal_force, V bond,
+                             V cohesive = V{} + 1.0) {
     using simd::any, simd::larger, simd::select;
-    V strength = coulombStrength(joint, area, normal_force, bond);
+    V strength = coulombStrength(joint, cohesive * area, normal_force, bond);
     if constexpr (Curved) {
         if (any(joint.curved)) {
             const V stress = larger(normal_force / area, V{});
@@ -182,9 +191,10 @@ TALUS_KERNEL simd::MaskOf<V> holdsNothing(const JointParameters<V>& joint, V bon
 /// softening joint loses its bond with displacement instead: a second call at the same place changes nothing.
 /// `Remembers` may be false when no joint `hasMemory`, `Curved` when none is; the result is the same, to the
 /// bit.
+/// \param cohesive  share of its area that has cohesion
 template <bool Remembers = true, bool Curved = true, class V>
 TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V gap, V slide_1, V slide_2,
-                                   V release, MemoryOf<V>& memory) {
+                                   V release, MemoryOf<V>& memory, V cohesive = V{} + 1.0) {
     using simd::any, simd::both, simd::either, simd::larger, simd::select, simd::smaller, simd::squareRoot;
     const V zero{};
     ForceOf<V> force;
@@ -216,7 +226,7 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
     const V trial_squared = stiffness * stiffness * (back_1 * back_1 + back_2 * back_2);
     V strength, on_curve{};
     if constexpr (Remembers)
-        strength = coulombStrength(joint, area, force.normal, bond);
+        strength = coulombStrength(joint, cohesive * area, force.normal, bond);
     else
         strength = force.normal * joint.tan_friction;
     if constexpr (Curved) {
@@ -251,7 +261,7 @@ TALUS_KERNEL ForceOf<V> contactLaw(const JointParameters<V>& joint, V area, V ga
                 force.normal = select(drawn, -tension, force.normal);
                 force.open = either(force.open, both(drawn, limit == 0.0));
             }
-            V left = coulombStrength(joint, area, force.normal, bond);
+            V left = coulombStrength(joint, cohesive * area, force.normal, bond);
             if constexpr (Curved) left = select(joint.curved, on_curve * curveShare(joint, bond), left);
             strength = select(breaks, smaller(strength, left), strength);
         }

@@ -11,6 +11,7 @@
 #include "measure/natural_order.h"
 #include "search/limit_load.h"
 #include "search/search_run.h"
+#include "search/search_warnings.h"
 #include "state/block_motion.h"
 #include "state/caller.h"
 
@@ -20,12 +21,12 @@ namespace {
 using checks::areTied, checks::freeMass, checks::massOf, checks::movingBlocks, checks::numbersOf;
 using equilibrium::Released;
 
-// Of the answer: a smaller effect of elastic joints is negligible.
+// Of the answer, and of the joints' area: a smaller effect of elastic joints is negligible.
 constexpr double kElasticEffect = 0.01;
 // Of the block size: blocks that move by less before they fail change lever arms by less than that share.
 constexpr double kLeans = 1e-3;
 // Factorisations that the answer for other joints may take beyond those of the answer: negligible time.
-constexpr std::int64_t kLeastEffort = 1000;
+constexpr std::int64_t kLeastEffort = 2000;
 constexpr double kStiffer = 10;  // usual variation of stiffness in sensitivity studies
 
 }  // namespace
@@ -241,15 +242,26 @@ std::optional<double> Search::addAnswerOf(const Model& model, const std::string&
     return other->answer;
 }
 
+void Search::addClosedParts(const Course& course, bool turns) {
+    if (model_.points.kind != PointRule::Kind::vertex) return;
+    const bool coheres =
+        course.followed.stood && partlyOpenCohesion(course.followed.stood->state) > kElasticEffect;
+    if (!turns && !coheres) return;
+    Model distributed = model_;
+    distributed.points.kind = PointRule::Kind::distributed;
+    const std::string what = std::string("pressure ") + (coheres ? "and cohesion " : "") +
+                             "over the closed part of elastic joints";
+    const auto answer = addAnswerOf(distributed, what);
+    if (answer && coheres)
+        result_.warnings.push_back("joints with cohesion are open in part: with " + what + " the answer is " +
+                                   axis().say(*answer));
+}
+
 void Search::addElasticity(const Course& course) {
     const bool turns = result_.mode == FailureMode::toppling || result_.mode == FailureMode::mixed;
-    if (!turns || isStopped(control_)) return;
-    if (model_.points.kind == PointRule::Kind::vertex) {
-        Model distributed = model_;
-        distributed.points.kind = PointRule::Kind::distributed;
-        addAnswerOf(distributed, "pressure over the closed part of elastic joints");
-    }
-    if (isStopped(control_) || !course.followed.stood) return;
+    if (isStopped(control_)) return;
+    addClosedParts(course, turns);
+    if (!turns || isStopped(control_) || !course.followed.stood) return;
     const State& stood = course.followed.stood->state;
     const double moved =
         largestMotion(stood, stood.geometry->initial_position, stood.geometry->initial_orientation);

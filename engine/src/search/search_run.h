@@ -131,6 +131,8 @@ class Search {
     void addUnloadedJoints(const Course& course);
     /// On an elastic joint a block turns about a pivot inside its edge, and leans before.
     void addElasticity(const Course& course);
+    /// Contact points decide as a whole what is open; the closed part of a patch may be less.
+    void addClosedParts(const Course& course, bool turns);
     /// Of a slightly different model: widens the interval where the answer differs. \return that answer
     std::optional<double> addAnswerOf(const Model& model, const std::string& what);
     Result<SearchResult> answerOf(const Model& model) const;

@@ -18,12 +18,13 @@ namespace {
 
 /// Two boxes one on the other on a floor, pressed together and moved at random, so that some contact points
 /// stick, slip and open.
-State shaken(int seed, StrengthLaw law = StrengthLaw::coulomb,
-             PointRule::Kind rule = PointRule::Kind::vertex) {
+State shaken(int seed, StrengthLaw law = StrengthLaw::coulomb, PointRule::Kind rule = PointRule::Kind::vertex,
+             double cohesion = 0) {
     Model model = floorModel(30, 1e9);
     model.points.kind = rule;
     model.joints[0].shear_stiffness = 4e8;
     model.joints[0].law = law;
+    model.joints[0].cohesion = model.joints[0].residual_cohesion = cohesion;
     model.joints[0].jrc = 12;  // at some 1 to 4 kPa
     model.joints[0].jcs = 5e4;
     if (law == StrengthLaw::barton_bandis) model.joints[0].residual_friction = radians(20);
@@ -46,9 +47,15 @@ State shaken(int seed, StrengthLaw law = StrengthLaw::coulomb,
     return state;
 }
 
-/// Both rules with every law.
 PointRule::Kind ruleOf(int seed) {
     return (seed / 4) % 2 == 0 ? PointRule::Kind::vertex : PointRule::Kind::distributed;
+}
+
+/// Every law with every rule; Coulomb's with and without cohesion.
+State shakenOfEach(int seed) {
+    const auto law = static_cast<StrengthLaw>(seed % 4);
+    const bool has_cohesion = law == StrengthLaw::coulomb && (seed / 8) % 2 == 1;
+    return shaken(seed, law, ruleOf(seed), has_cohesion ? 400 : 0);
 }
 
 Vec6s forcesAt(const State& state, Balance& balance, const Poses& poses) {
@@ -71,9 +78,10 @@ std::pair<Vec6s, BlockMatrix> systemOf(State& state, simd::InstructionSet set) {
 TEST_SUITE("equilibrium") {
     TEST_CASE("forces are those of the engine's own kernel, with every law") {
         for (int seed = 0; seed < 80; ++seed) {
-            State state = shaken(seed, static_cast<StrengthLaw>(seed % 4), ruleOf(seed));
+            State state = shakenOfEach(seed);
             Balance balance = makeBalance(state);
             const Vec6s force = forcesAt(state, balance, posesOf(state));
+            state.release = 0;  // on the way to equilibrium bonds hold
             updateForces(state, false);
             for (std::size_t r = 0; r < 2; ++r) {
                 const Wrench own = outOfBalance(state, balance.block[r], bodyAcceleration(state));
@@ -133,7 +141,7 @@ TEST_SUITE("equilibrium") {
         for (const simd::InstructionSet set : {simd::InstructionSet::avx2, simd::InstructionSet::avx512}) {
             if (!simd::isAvailable(set)) continue;
             for (int seed = 0; seed < 40; ++seed) {
-                State state = shaken(seed, static_cast<StrengthLaw>(seed % 4), ruleOf(seed));
+                State state = shakenOfEach(seed);
                 const auto [scalar_force, scalar_matrix] = systemOf(state, simd::InstructionSet::scalar);
                 const auto [force, matrix] = systemOf(state, set);
                 CHECK(force == scalar_force);
@@ -147,7 +155,7 @@ TEST_SUITE("equilibrium") {
     TEST_CASE("the matrix is minus the derivative of the forces, finite turns and lever arms included") {
         constexpr double kStep = 1e-10;
         for (int seed = 0; seed < 60; ++seed) {
-            const State state = shaken(seed, static_cast<StrengthLaw>(seed % 4), ruleOf(seed));
+            const State state = shakenOfEach(seed);
             Balance balance = makeBalance(state);
             const Poses poses = posesOf(state);
             Vec6s force;

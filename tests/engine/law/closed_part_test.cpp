@@ -21,8 +21,9 @@ using Overlaps = std::array<double, 3>;
 contact::ClosedPart partOf(const Overlaps& o) { return contact::closedPart({o[0], o[1], o[2]}); }
 contact::TriangleShares sharesOf(const Overlaps& o) { return contact::sharesOf({o[0], o[1], o[2]}); }
 
-/// By sums over the middles of n^2 equal triangles.
-Overlaps summed(const Overlaps& overlap, int n) {
+/// Of what a function gives for the overlap, with each shape function: by sums over the middles of n^2 equal
+/// triangles.
+Overlaps summed(const Overlaps& overlap, int n, double (*of)(double)) {
     Overlaps sum{};
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n - i; ++j)
@@ -30,10 +31,13 @@ Overlaps summed(const Overlaps& overlap, int n) {
                 const double third = (1 + flipped) / 3.0;
                 const Overlaps shape{(i + third) / n, (j + third) / n, 1 - (i + j + 2 * third) / n};
                 const double here = shape[0] * overlap[0] + shape[1] * overlap[1] + shape[2] * overlap[2];
-                for (std::size_t k = 0; k < 3; ++k) sum[k] += shape[k] * std::max(here, 0.0) / (n * n);
+                for (std::size_t k = 0; k < 3; ++k) sum[k] += shape[k] * of(here) / (n * n);
             }
     return sum;
 }
+
+double positivePart(double x) { return std::max(x, 0.0); }
+double isPositive(double x) { return x > 0 ? 1.0 : 0.0; }
 
 /// Exact but for the rounding of long double: the whole triangle less its open tip at corner 2.
 Overlaps besideTip(const Overlaps& overlap) {
@@ -59,7 +63,7 @@ TEST_SUITE("law") {
             Overlaps overlap = drawn(random);
             if (trial % 5 == 0) overlap[0] = 0;
             if (trial % 10 == 0) overlap[1] = 0;
-            const Overlaps exact = summed(overlap, 300);
+            const Overlaps exact = summed(overlap, 300, positivePart);
             const contact::ClosedPart part = partOf(overlap);
             for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(part.by_corner[k] - exact[k]) < 2e-6);
         }
@@ -98,6 +102,33 @@ TEST_SUITE("law") {
                 for (std::size_t k = 0; k < 4; ++k)
                     CHECK(std::abs((up.overlap[k] - down.overlap[k]) / (2 * kStep) - shares.rate[k][j]) <
                           1e-4);
+            }
+        }
+    }
+
+    TEST_CASE("the closed area of a triangle, its points' shares of that, and the rates of both") {
+        constexpr double kStep = 1e-6;
+        std::mt19937 random(8);
+        for (int trial = 0; trial < 500; ++trial) {
+            const Overlaps overlap = drawn(random);
+            const contact::ClosedPart part = partOf(overlap);
+            const contact::TriangleShares shares = sharesOf(overlap);
+            if (trial < 100) {
+                const Overlaps exact = summed(overlap, 300, isPositive);
+                for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(part.area[k] - exact[k]) < 2e-3);
+            }
+            for (const double closed : shares.closed) CHECK(closed >= 0);
+            for (std::size_t k = 0; k < 3; ++k)
+                CHECK(shares.closed[k] + shares.closed[3] / 3 ==
+                      doctest::Approx(part.area[k]).epsilon(1e-12).scale(1));
+            for (std::size_t j = 0; j < 3; ++j) {
+                Overlaps more = overlap, less = overlap;
+                more[j] += kStep;
+                less[j] -= kStep;
+                const contact::TriangleShares up = sharesOf(more), down = sharesOf(less);
+                for (std::size_t k = 0; k < 4; ++k)
+                    CHECK(std::abs((up.closed[k] - down.closed[k]) / (2 * kStep) - shares.closed_rate[k][j]) <
+                          1e-3 * (1 + std::abs(shares.closed_rate[k][j])));
             }
         }
     }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <vector>
 
 #include "answers/search.h"
 #include "support/wedged_columns.h"
@@ -11,10 +12,12 @@
 
 using namespace talus::tools;
 using namespace talus::tools::testing;
+using talus::test::kTriesFew;
 
 TEST_CASE("an interrupted search says so once, with its results so far, and claims no answer") {
     const std::string slope = std::string(TALUS_SOURCE_DIR) + "/bench/verification/rock-slope-842.toml";
-    for (const double begun : {0.3, 1.0, 2.5}) {
+    const std::vector<double> times = kTriesFew ? std::vector{0.3} : std::vector{0.3, 1.0, 2.5};
+    for (const double begun : times) {
         CAPTURE(begun);
         Program program({"safety-factor", slope, "--threads", "1", "--quiet"});
         REQUIRE(waitFor([&] { return program.hasBegun(kSlower * begun); }));
