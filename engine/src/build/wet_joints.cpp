@@ -139,20 +139,28 @@ std::int32_t weakestWhereWet(const Model& model, const FacePair& pair, long step
     return weakest;
 }
 
+bool isWeakened(const Joint& joint) { return joint.wet_strength_factor != 1; }
+
+/// \pre there is one
+const Joint& firstWeakened(const Model& model) {
+    return *std::find_if(model.joints.begin(), model.joints.end(), isWeakened);
+}
+
 }  // namespace
 
 bool hasWetJoints(const Model& model) {
-    return model.hasWater() && std::any_of(model.joints.begin(), model.joints.end(),
-                                           [](const Joint& joint) { return joint.wet_strength_factor != 1; });
+    return model.hasWater() && std::any_of(model.joints.begin(), model.joints.end(), isWeakened);
 }
 
-std::optional<Error> refusedWetJoints(const Model& model, const char* by) {
-    if (!hasWetJoints(model)) return std::nullopt;
-    const auto joint = std::find_if(model.joints.begin(), model.joints.end(),
-                                    [](const Joint& each) { return each.wet_strength_factor != 1; });
-    return Error{"joint." + joint->name.substr(0, joint->name.find('@')) + ".wet_strength_factor",
-                 "found " + formatted("%g", joint->wet_strength_factor) + " in a model with water, which " +
-                     by + " does not count; allowed there: 1, or a model without water"};
+std::string wetStrengthKey(const Model& model) {
+    const Joint& joint = firstWeakened(model);
+    return "joint." + joint.name.substr(0, joint.name.find('@')) + ".wet_strength_factor";
+}
+
+std::optional<Error> refusedWetJoints(const Model& model) {
+    if (!hasWetJoints(model) || !model.flow) return std::nullopt;
+    return Error{wetStrengthKey(model), "found " + formatted("%g", firstWeakened(model).wet_strength_factor) +
+                                            " in a model with flow in its joints; allowed there: 1"};
 }
 
 std::vector<double> wetShares(const State& built) {
@@ -163,7 +171,7 @@ std::vector<double> wetShares(const State& built) {
     const Model& model = state.geometry->model;
     const std::vector<PairJoint> given = sortedByBlocks(model.pair_joints);
     const auto is_weakened = [&](std::int32_t j) {
-        return model.joints[static_cast<std::size_t>(j)].wet_strength_factor != 1;
+        return isWeakened(model.joints[static_cast<std::size_t>(j)]);
     };
     for (std::size_t i = 0; i < shares.size(); ++i) {
         if (state.interfaces.kind[i] != InterfaceKind::faces) continue;
@@ -173,9 +181,8 @@ std::vector<double> wetShares(const State& built) {
     return shares;
 }
 
-Model withWetJoints(const Model& model, const State& built) {
+Model withWetJoints(const Model& model, const State& built, const std::vector<double>& shares) {
     const Interfaces& f = built.interfaces;
-    const std::vector<double> shares = wetShares(built);
     const std::vector<PairJoint> given = sortedByBlocks(model.pair_joints);
     std::map<std::array<std::int32_t, 4>, FacePair> pairs;
     for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -193,7 +200,7 @@ Model withWetJoints(const Model& model, const State& built) {
         if (steps == 0) continue;
         const std::int32_t joint = weakestWhereWet(model, pair, steps);
         const Joint& dry = model.joints[static_cast<std::size_t>(joint)];
-        if (dry.wet_strength_factor == 1) continue;  // it counts between dry faces too
+        if (!isWeakened(dry)) continue;  // it counts between dry faces too
         const auto [place, is_new] =
             made.try_emplace({joint, steps}, static_cast<std::int32_t>(wet.joints.size()));
         if (is_new) wet.joints.push_back(wetted(dry, steps));
@@ -206,12 +213,16 @@ Model withWetJoints(const Model& model, const State& built) {
 Result<State> buildWithWetJoints(std::shared_ptr<const Model>& model, bool parallel, const Control& control) {
     Result<State> dry = buildState(model, parallel, control);
     if (!dry || !hasWetJoints(*model)) return dry;
-    if (model->flow)
-        if (auto refused = refusedWetJoints(*model, "flow in joints")) return *refused;
-    Model wet = withWetJoints(*model, *dry);
+    if (auto refused = refusedWetJoints(*model)) return *refused;
+    Model wet = withWetJoints(*model, *dry, wetShares(*dry));
     if (wet.joints.size() == model->joints.size()) return dry;  // no area is wet, or it has them already
     model = std::make_shared<const Model>(std::move(wet));
     return buildState(model, parallel, control);
+}
+
+Result<State> buildWithWetJoints(const Model& model, bool parallel, const Control& control) {
+    std::shared_ptr<const Model> kept = keptByCaller(model);
+    return buildWithWetJoints(kept, parallel, control);
 }
 
 }  // namespace talus
