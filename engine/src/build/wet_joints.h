@@ -5,8 +5,8 @@
 // 1 - s (1 - w): wet and dry parts count by their areas, as joint and intact rock do (J. E. Jennings, 1970).
 // Between faces of two joints the one counts that has less friction so weakened.
 // Such interfaces get joints of their own, so that all analyses see joints alone. An area is wet where the
-// pressure of a water, or of the water table, is more than nothing in the model as built, at time 0. A search
-// for a tilt takes what is wet at the tilt that it finds (wet_tilt.h); all others take the model's tilt.
+// pressure of a water, of the water table or of a flow is more than nothing in the model as built, at time 0.
+// A search for a tilt takes what is wet at the tilt that it finds (wet_tilt.h); all others take the model's.
 
 #include <memory>
 #include <optional>
@@ -25,7 +25,8 @@ bool hasWetJoints(const Model& model);
 /// The scenario's key of the first joint that water weakens. \pre hasWetJoints(model)
 std::string wetStrengthKey(const Model& model);
 
-/// The refusal of a model whose wet areas are not found: joints that water weakens, and flow in them.
+/// The refusal of a model whose wet areas are not found: joints that water weakens, and coupled
+/// flow.
 std::optional<Error> refusedWetJoints(const Model& model);
 
 /// Share of each interface of two faces that is wet, 0..1, to rounding; 0 for others, and where none of the
@@ -37,8 +38,8 @@ std::vector<double> wetShares(const State& built);
 /// \param shares  of its interfaces (wetShares); they count to a thousandth
 Model withWetJoints(const Model& model, const State& built, const std::vector<double>& shares);
 
-/// buildState, with these joints. Puts the model that has them into `model`. Errors: as of that, and flow in
-/// joints that water weakens.
+/// buildState, with these joints. Puts the model that has them into `model`. Errors: as of that, and of
+/// refusedWetJoints.
 Result<State> buildWithWetJoints(std::shared_ptr<const Model>& model, bool parallel,
                                  const Control& control = {});
 /// For a model that the caller keeps.
