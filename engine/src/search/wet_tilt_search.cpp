@@ -70,8 +70,8 @@ struct Effort {
     }
 };
 
-/// Gives the failing state the joints of a history of it, which are as wet as at the failing tilt. Their
-/// strengths differ from those of the answer by less than a thousandth.
+/// Gives the failing state the joints of a history of it, which are as wet as at the failing tilt: some cells
+/// beyond the answer, where the wet areas hardly differ.
 std::vector<Error> makePlayable(const Model& model, const Control& control, FailingState& failing) {
     auto at_failure = std::make_shared<Model>(model);
     putUnderLoad(*at_failure, Varied::tilt, failing.load);
