@@ -74,9 +74,9 @@ bool WetTilt::goesOn(double found) {
 
 void WetTilt::doubtAt(double answer, double change) {
     doubt_ = "what is wet changes abruptly with the tilt: the answer is for the areas that are wet at " +
-             degreesText(tilt()) + ". At " + degreesText(answer) + " up to " +
-             formatted("%.3g", 100 * change) +
-             " % of a joint's area is wet there and dry here, or the reverse";
+             degreesText(tilt()) + ". With them it is " + degreesText(answer) +
+             ", where the wet share of a joint differs by up to " + formatted("%.3g", 100 * change) +
+             " % of its area";
 }
 
 }  // namespace talus
