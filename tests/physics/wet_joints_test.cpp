@@ -1,5 +1,5 @@
 // Joints that are weaker where water presses in them: a block on a plane that is wet in part, in closed form,
-// by every analysis that counts it; the others refuse it.
+// by every analysis.
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,9 @@
 
 #include "build/build.h"
 #include "build/wet_joints.h"
+#include "build/wet_tilt.h"
 #include "support/models.h"
+#include "support/wet_slab.h"
 #include "talus/analysis.h"
 #include "talus/block_theory.h"
 #include "talus/limit_analysis.h"
@@ -19,55 +21,6 @@ using namespace talus;
 using namespace talus::test;
 
 namespace {
-
-constexpr double kUnitWeight = 1000 * 9.81;  // of water [N/m^3]
-
-/// A block of 1 x 1 x 0.5 m on a plane whose lower part is wet.
-struct WetSlab {
-    double tilt_deg = 20, friction_deg = 35, cohesion = 4e3, wet_strength = 0.6;
-    double share = 0.4;  ///< of the base that is wet
-
-    double beta() const { return radians(tilt_deg); }
-    double level() const { return share * std::sin(beta()); }  ///< along gravity above the lower edge [m]
-
-    Model dry() const {
-        Model made = floorModel(friction_deg);
-        made.joints[0].cohesion = made.joints[0].residual_cohesion = cohesion;
-        made.joints[0].wet_strength_factor = wet_strength;
-        addBox(made, "block", {0, 0, 0}, {1, 1, 0.5});
-        made.gravity.tilt = beta();
-        return made;
-    }
-    /// Water between block and plane.
-    Model model() const {
-        Model made = dry();
-        Water water;
-        water.kind = Water::Level::elevation;
-        water.level = {{0, level()}};
-        water.pair = {{0, 1}};
-        water.field = "water[0]";
-        made.waters = {water};
-        return made;
-    }
-    /// A level water table, which also stands in front of the block.
-    Model belowTable() const {
-        Model made = dry();
-        PhreaticSurface table;
-        for (const double x : {-4.0, 19.0})
-            table.line.push_back({x, (level() - x * std::sin(beta())) / std::cos(beta())});
-        table.field = "water[0]";
-        made.phreatic = table;
-        return made;
-    }
-    double factor(double in_front = 0) const {
-        const double weight = 0.5 * 2700 * 9.81, uplift = 0.5 * kUnitWeight * share * level();
-        const double strength = 1 - share * (1 - wet_strength);
-        return strength *
-               (cohesion + (weight * std::cos(beta()) - uplift) * std::tan(radians(friction_deg))) /
-               (weight * std::sin(beta()) - in_front);
-    }
-    double inFront() const { return 0.5 * kUnitWeight * level() * level() / std::cos(beta()); }
-};
 
 State built(const Model& model) {
     auto state = buildState(model, false);
@@ -84,12 +37,34 @@ double factorOf(const Model& model) {
     return found->answer;
 }
 
-template <class Answer>
-void checkRefused(const Answer& answer, const char* by) {
-    REQUIRE_FALSE(answer.ok());
-    CHECK(answer.errors()[0].field == "joint.default.wet_strength_factor");
-    CHECK(answer.errors()[0].message.find(std::string("in a model with water, which ") + by) !=
-          std::string::npos);
+/// The answer, and the factor of safety at its own tilt, which is 1 by definition.
+double angleOf(const Model& model) {
+    const auto found = criticalAngle(model);
+    for (const Error& error : found.errors()) FAIL_CHECK(error.field << ": " << error.message);
+    REQUIRE(found.ok());
+    REQUIRE((found->status == SearchStatus::found));
+    Model there = model;
+    there.gravity.tilt = found->answer;
+    CHECK(factorOf(there) == doctest::Approx(1).epsilon(2e-3));
+    const auto limit = limitAnalysis(model, Varied::tilt);
+    REQUIRE(limit.ok());
+    CHECK(limit->lower == doctest::Approx(found->answer).epsilon(1e-3));
+    const auto ceiling = limitCeiling(model, Varied::tilt, true);
+    REQUIRE(ceiling.ok());
+    CHECK(*ceiling->value == doctest::Approx(limit->upper).epsilon(1e-6));
+    return found->answer;
+}
+
+/// The tilt at which a slab with water up to an elevation has a factor of safety of 1, by halves.
+double tiltOfElevation(WetSlab slab, double elevation, bool stands_in_front) {
+    double stands = radians(slab.tilt_deg), fails = radians(60);
+    while (fails - stands > 1e-9) {
+        const double tilt = 0.5 * (stands + fails);
+        slab.tilt_deg = degrees(tilt);
+        slab.share = std::min(1.0, elevation / std::sin(tilt));
+        (slab.factor(stands_in_front ? slab.inFront() : 0) > 1 ? stands : fails) = tilt;
+    }
+    return stands;
 }
 
 }  // namespace
@@ -173,7 +148,7 @@ TEST_SUITE("physics") {
         CHECK(mobilised < 1);
         // At k: W (sin + k cos) = m tan(phi) (W (cos - k sin) - U)
         const double tangent = (1 - slab.share * (1 - slab.wet_strength)) * std::tan(radians(35));
-        const double uplift = 0.5 * kUnitWeight * slab.share * slab.level();
+        const double uplift = 0.5 * kWaterWeight * slab.share * slab.level();
         const double k =
             (tangent * (weight * std::cos(slab.beta()) - uplift) - weight * std::sin(slab.beta())) /
             (weight * (std::cos(slab.beta()) + tangent * std::sin(slab.beta())));
@@ -219,14 +194,14 @@ TEST_SUITE("physics") {
         const WetSlab slab;
         Model model = slab.model();
         model.pair_joints = {{0, 1, 0, true, "interface[0]"}};
-        const Model once = withWetJoints(model, built(model));
+        const Model once = withWetJoints(model, built(model), wetShares(built(model)));
         REQUIRE(once.joints.size() == 2);
         CHECK(once.joints[1].name == "default@0.4wet");
         CHECK(once.joints[1].cohesion == doctest::Approx(slab.cohesion * 0.84).epsilon(1e-12));
         CHECK(std::tan(once.joints[1].friction) ==
               doctest::Approx(0.84 * std::tan(radians(35))).epsilon(1e-12));
         CHECK(built(once).interfaces.joint.at(0) == 1);
-        const Model twice = withWetJoints(once, built(once));
+        const Model twice = withWetJoints(once, built(once), wetShares(built(once)));
         CHECK(twice.joints.size() == 2);
         CHECK(twice.pair_joints.size() == once.pair_joints.size());
     }
@@ -242,15 +217,76 @@ TEST_SUITE("physics") {
         CHECK(run(wet, {}, RunOutput{}).ok());
     }
 
-    TEST_CASE("wet joints: analyses that move the water, or whose frames hold the joints, refuse them") {
-        const Model model = WetSlab{}.model();
-        checkRefused(criticalAngle(model), "a search over the tilt");
-        checkRefused(limitAnalysis(model, Varied::tilt), "limit analysis over the tilt");
-        checkRefused(limitCeiling(model, Varied::tilt, true), "limit analysis over the tilt");
-        checkRefused(run(model, {}, RunOutput{}), "a time history");
-        Control keeps;
-        keeps.keep_failing_state = true;
-        checkRefused(safetyFactor(model, keeps), "the history of a failure");
-        CHECK_FALSE(theory::predict(model));
+    TEST_CASE("wet joints: a critical angle, where the wet share is the same at each tilt") {
+        for (const double share : {0.25, 0.6, 1.0})
+            for (const double density : {1e-3, 1000.0}) {  // without uplift, and with it
+                CAPTURE(share);
+                CAPTURE(density);
+                WetSlab slab;
+                slab.cohesion = 0;
+                slab.share = share;
+                Model model = slab.byDepth();
+                model.waters[0].density = density;
+                model.analysis.start = radians(5);
+                // W sin = m tan(phi) (W cos - U), U = rho g s^2 sin / 2
+                const double m = slab.strength() * std::tan(radians(35));
+                const double uplift = 0.5 * density * share * share / (0.5 * 2700);
+                CHECK(std::tan(angleOf(model)) == doctest::Approx(m / (1 + m * uplift)).epsilon(2e-3));
+            }
+    }
+
+    TEST_CASE("wet joints: a critical angle, where the wet share falls as the slope is tilted") {
+        for (const double elevation : {0.05, 0.1, 0.2})
+            for (const bool table : {false, true}) {
+                CAPTURE(elevation);
+                CAPTURE(table);
+                WetSlab slab;
+                slab.cohesion = 500;
+                slab.friction_deg = 25;  // flat enough for all of the base to stay closed
+                slab.tilt_deg = 15;
+                slab.share = elevation / std::sin(slab.beta());
+                Model model = slab.model();
+                if (table) {
+                    // Level at the critical tilt: a line that is level in the model leans with the slope.
+                    WetSlab there = slab;
+                    const double tilt = tiltOfElevation(slab, elevation, true);
+                    there.tilt_deg = degrees(tilt);
+                    there.share = elevation / std::sin(tilt);
+                    model = there.belowTable();
+                    model.gravity.tilt = slab.beta();
+                }
+                const double exact = tiltOfElevation(slab, elevation, table);
+                CHECK(angleOf(model) == doctest::Approx(exact).epsilon(2e-3));
+            }
+    }
+
+    TEST_CASE("wet joints: a slope that stands at every tilt, or at none, is as wet as there") {
+        WetSlab slab;
+        slab.cohesion = 0;
+        Model model = slab.model();
+        model.analysis.stop = radians(22);
+        CHECK((criticalAngle(model)->status == SearchStatus::stable_to_stop));
+        CHECK((limitAnalysis(model, Varied::tilt)->status == SearchStatus::stable_to_stop));
+        model.analysis.stop = radians(60);
+        model.analysis.start = radians(34.9);  // of 35 deg when it is dry
+        CHECK((criticalAngle(model)->status == SearchStatus::unstable_at_start));
+        CHECK((limitAnalysis(model, Varied::tilt)->status == SearchStatus::unstable_at_start));
+    }
+
+    TEST_CASE("wet joints: where what is wet changes abruptly with the tilt, a warning tells both tilts") {
+        const WetSlab slab;
+        const Model model = slab.model();
+        auto wet = WetTilt::begin(model, false, {});
+        REQUIRE(wet.ok());
+        CHECK(wet->tilt() == slab.beta());
+        CHECK_FALSE(hasWetJoints(wet->model()));
+        const double jump = radians(30);
+        int rounds = 1;
+        while (wet->goesOn(wet->tilt() < jump ? radians(40) : radians(25))) ++rounds;
+        CHECK(rounds <= 20);
+        CHECK(wet->tilt() == doctest::Approx(jump).epsilon(1e-4));
+        CHECK(
+            wet->doubt().starts_with("what is wet changes abruptly with the tilt: the answer is for the "
+                                     "areas that are wet at 30 deg."));
     }
 }

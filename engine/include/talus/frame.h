@@ -48,7 +48,8 @@ struct SupportLines {
     }
 };
 
-/// Shapes in the model frame as they lie at the start, flat. Names, joints and waters are the model's.
+/// Shapes in the model frame as they lie at the start, flat. Names, waters and all other joints are the
+/// model's.
 struct RunGeometry {
     std::vector<double> mass;                     ///< [kg]
     VectorList<double> centroid;                  ///< [m]
@@ -66,6 +67,8 @@ struct RunGeometry {
 
     bool isInner(std::size_t face) const { return !face_inner.empty() && face_inner[face] != 0; }
     SupportLines supports;
+    /// Of wet interfaces, counted after the model's; in a file they stand among all joints.
+    std::vector<Joint> wet_joints{};
 };
 
 /// Water as it stands, per water of the model. Its table is the plane up . x = table, up = (sin tilt, 0, cos

@@ -200,7 +200,7 @@ inline constexpr std::array kJointProperties{
                   .unit = "",
                   .allowed = {1e-3, 1},
                   .in_law = "",
-                  .what = "times all strengths where water presses in the joint, in searches"},
+                  .what = "times all strengths where water presses in the joint"},
 };
 inline constexpr std::size_t kJointPropertyCount = kJointProperties.size();
 

@@ -8,7 +8,6 @@
 #include "block_theory/cone.h"
 #include "block_theory/groups.h"
 #include "block_theory/warnings.h"
-#include "build/build.h"
 #include "build/wet_joints.h"
 #include "checks/plausible.h"
 #include "checks/water_warnings.h"
@@ -126,8 +125,7 @@ Result<KeyBlockResult> keyBlocks(const Model& model, const Control& control,
     const auto begin = std::chrono::steady_clock::now();
     return inArena(control.threads, [&]() -> Result<KeyBlockResult> {
         const bool parallel = control.threads != 1;
-        std::shared_ptr<const Model> kept = keptByCaller(model);
-        Result<State> state = buildWithWetJoints(kept, parallel, control);
+        Result<State> state = buildWithWetJoints(model, parallel, control);
         KeyBlockResult result;
         result.interrupted = isStopped(control);
         if (result.interrupted) return result;

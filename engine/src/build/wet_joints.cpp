@@ -8,6 +8,7 @@
 
 #include "build/build.h"
 #include "forces/contact_forces.h"
+#include "forces/flow_water.h"
 #include "forces/phreatic.h"
 #include "forces/sum.h"
 #include "forces/water.h"
@@ -92,12 +93,13 @@ double wetAreaOf(const State& state, const Side& side) {
 }
 
 /// The larger of both sides: a water may be given on one of them alone.
-double wetShareOf(const State& state, std::size_t i) {
+/// \param by_flow  wet by a flow in the joints [m^2]
+double wetShareOf(const State& state, std::size_t i, double by_flow) {
     if (state.interfaces.kind[i] != InterfaceKind::faces || state.interfaces.cornerCount(i) < 3) return 0;
     const Side a = sideOf(state, i, false), b = sideOf(state, i, true);
     const FaceFrame own = faceFrame(a.corners[0], a.corners[1], a.normal);
     const double whole = area(inPlane(a, own));
-    const double wet = std::max(wetAreaOf(state, a), wetAreaOf(state, b));
+    const double wet = by_flow + std::max(wetAreaOf(state, a), wetAreaOf(state, b));
     return whole > 0 ? std::clamp(wet / whole, 0.0, 1.0) : 0.0;
 }
 
@@ -107,6 +109,19 @@ Joint wetted(const Joint& dry, long steps) {
     wet.wet_strength_factor = 1;
     wet.name = WetJointName{dry.name, share}.text();
     return wet;
+}
+
+/// A joint made out of another conducts water like it, at the same boundaries.
+void flowsLike(std::int32_t joint, std::int32_t made, Flow& flow) {
+    const auto aperture = std::find_if(flow.joint_apertures.begin(), flow.joint_apertures.end(),
+                                       [&](const auto& each) { return each.first == joint; });
+    if (aperture != flow.joint_apertures.end()) {
+        const double same = aperture->second;
+        flow.joint_apertures.emplace_back(made, same);
+    }
+    for (FlowBoundary& boundary : flow.boundaries)
+        if (std::find(boundary.joints.begin(), boundary.joints.end(), joint) != boundary.joints.end())
+            boundary.joints.push_back(made);
 }
 
 /// Two faces of two blocks may share several interfaces.
@@ -139,20 +154,30 @@ std::int32_t weakestWhereWet(const Model& model, const FacePair& pair, long step
     return weakest;
 }
 
+bool isWeakened(const Joint& joint) { return joint.wet_strength_factor != 1; }
+
+/// \pre there is one
+const Joint& firstWeakened(const Model& model) {
+    return *std::find_if(model.joints.begin(), model.joints.end(), isWeakened);
+}
+
 }  // namespace
 
 bool hasWetJoints(const Model& model) {
-    return model.hasWater() && std::any_of(model.joints.begin(), model.joints.end(),
-                                           [](const Joint& joint) { return joint.wet_strength_factor != 1; });
+    return model.hasWater() && std::any_of(model.joints.begin(), model.joints.end(), isWeakened);
 }
 
-std::optional<Error> refusedWetJoints(const Model& model, const char* by) {
-    if (!hasWetJoints(model)) return std::nullopt;
-    const auto joint = std::find_if(model.joints.begin(), model.joints.end(),
-                                    [](const Joint& each) { return each.wet_strength_factor != 1; });
-    return Error{"joint." + joint->name.substr(0, joint->name.find('@')) + ".wet_strength_factor",
-                 "found " + formatted("%g", joint->wet_strength_factor) + " in a model with water, which " +
-                     by + " does not count; allowed there: 1, or a model without water"};
+std::string wetStrengthKey(const Model& model) {
+    const Joint& joint = firstWeakened(model);
+    return "joint." + joint.name.substr(0, joint.name.find('@')) + ".wet_strength_factor";
+}
+
+std::optional<Error> refusedWetJoints(const Model& model) {
+    if (!hasWetJoints(model) || !model.flow || !model.flow->coupled) return std::nullopt;
+    return Error{wetStrengthKey(model),
+                 "found " + formatted("%g", firstWeakened(model).wet_strength_factor) +
+                     " in a model with coupled flow, whose wet areas change as joints open; "
+                     "allowed: 1, or flow.coupled = false"};
 }
 
 std::vector<double> wetShares(const State& built) {
@@ -160,22 +185,23 @@ std::vector<double> wetShares(const State& built) {
     state.load.water_share = 1;
     updateBlockForces(state);
     std::vector<double> shares(state.interfaces.size(), 0.0);
+    const std::vector<double> by_flow = flow_water::wetAreas(built);
     const Model& model = state.geometry->model;
     const std::vector<PairJoint> given = sortedByBlocks(model.pair_joints);
     const auto is_weakened = [&](std::int32_t j) {
-        return model.joints[static_cast<std::size_t>(j)].wet_strength_factor != 1;
+        return isWeakened(model.joints[static_cast<std::size_t>(j)]);
     };
     for (std::size_t i = 0; i < shares.size(); ++i) {
         if (state.interfaces.kind[i] != InterfaceKind::faces) continue;
         const std::vector<std::int32_t> joints = candidates(model, given, facesOf(state.interfaces, i));
-        if (std::any_of(joints.begin(), joints.end(), is_weakened)) shares[i] = wetShareOf(state, i);
+        if (std::any_of(joints.begin(), joints.end(), is_weakened))
+            shares[i] = wetShareOf(state, i, by_flow[i]);
     }
     return shares;
 }
 
-Model withWetJoints(const Model& model, const State& built) {
+Model withWetJoints(const Model& model, const State& built, const std::vector<double>& shares) {
     const Interfaces& f = built.interfaces;
-    const std::vector<double> shares = wetShares(built);
     const std::vector<PairJoint> given = sortedByBlocks(model.pair_joints);
     std::map<std::array<std::int32_t, 4>, FacePair> pairs;
     for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -193,10 +219,13 @@ Model withWetJoints(const Model& model, const State& built) {
         if (steps == 0) continue;
         const std::int32_t joint = weakestWhereWet(model, pair, steps);
         const Joint& dry = model.joints[static_cast<std::size_t>(joint)];
-        if (dry.wet_strength_factor == 1) continue;  // it counts between dry faces too
+        if (!isWeakened(dry)) continue;  // it counts between dry faces too
         const auto [place, is_new] =
             made.try_emplace({joint, steps}, static_cast<std::int32_t>(wet.joints.size()));
-        if (is_new) wet.joints.push_back(wetted(dry, steps));
+        if (is_new) {
+            wet.joints.push_back(wetted(dry, steps));
+            if (wet.flow) flowsLike(joint, place->second, *wet.flow);
+        }
         first.push_back({faces[0], faces[2], place->second, false, "", faces[1], faces[3]});
     }
     wet.pair_joints.insert(wet.pair_joints.begin(), first.begin(), first.end());
@@ -206,12 +235,16 @@ Model withWetJoints(const Model& model, const State& built) {
 Result<State> buildWithWetJoints(std::shared_ptr<const Model>& model, bool parallel, const Control& control) {
     Result<State> dry = buildState(model, parallel, control);
     if (!dry || !hasWetJoints(*model)) return dry;
-    if (model->flow)
-        if (auto refused = refusedWetJoints(*model, "flow in joints")) return *refused;
-    Model wet = withWetJoints(*model, *dry);
+    if (auto refused = refusedWetJoints(*model)) return *refused;
+    Model wet = withWetJoints(*model, *dry, wetShares(*dry));
     if (wet.joints.size() == model->joints.size()) return dry;  // no area is wet, or it has them already
     model = std::make_shared<const Model>(std::move(wet));
     return buildState(model, parallel, control);
+}
+
+Result<State> buildWithWetJoints(const Model& model, bool parallel, const Control& control) {
+    std::shared_ptr<const Model> kept = keptByCaller(model);
+    return buildWithWetJoints(kept, parallel, control);
 }
 
 }  // namespace talus

@@ -11,6 +11,7 @@
 
 #include "checks/closed_volumes.h"
 #include "checks/loose_blocks.h"
+#include "checks/strength_held.h"
 #include "checks/water_warnings.h"
 #include "measure/words.h"
 #include "state/incidence.h"
@@ -362,6 +363,7 @@ std::vector<std::string> doubtsOfHistory(const State& state, bool parallel) {
     if (auto slowed = slowedByOne(state, parallel)) told.push_back(std::move(*slowed));
     for (const Error& stiff : stiffVolumes(state, parallel))
         told.push_back(stiff.field + ": " + stiff.message);
+    if (auto held = wetJointsHeld(state.geometry->model)) told.push_back(std::move(*held));
     return told;
 }
 

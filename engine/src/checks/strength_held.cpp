@@ -1,8 +1,10 @@
 #include "checks/strength_held.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
+#include "build/wet_joints.h"
 #include "checks/closed_volumes.h"
 #include "measure/words.h"
 #include "talus/held.h"
@@ -20,6 +22,18 @@ std::vector<std::string> strengthsHeld(const Model& model) {
                         " times the strength; talus storm gives the factor of safety over time");
     }
     return lines;
+}
+
+std::optional<std::string> wetJointsHeld(const Model& model) {
+    if (!hasWetJoints(model)) return std::nullopt;
+    const auto changes = [](const Water& each) {
+        const auto differs = [&](const LevelPoint& point) { return point.value != each.level.front().value; };
+        return each.closed || std::any_of(each.level.begin(), each.level.end(), differs);
+    };
+    const auto water = std::find_if(model.waters.begin(), model.waters.end(), changes);
+    if (water == model.waters.end()) return std::nullopt;
+    return wetStrengthKey(model) + ": joints stay as wet as at time 0, while the level of " + water->field +
+           " changes; talus storm takes what is wet at each level";
 }
 
 }  // namespace talus::checks

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "flow/flow_in.h"
 #include "geometry/face_frame.h"
@@ -12,6 +13,7 @@ namespace {
 
 /// Numbers of a part: force [N] and moment about the centroid [N m], in the block's own frame.
 constexpr std::size_t kNumbers = 6;
+constexpr double kSurface = 1e-9;  // of the median patch: a pressure head nearer to zero is rounding
 
 /// Adds a push along a direction through points whose first moment about `from` is given.
 void add(const State& state, std::int32_t block, const Vec3& direction, const TrianglePush& push,
@@ -93,6 +95,37 @@ TrianglePush pushOn(const std::array<Vec3, 3>& corners, const std::array<double,
     linear.gradient.y() = (pressure[2] - pressure[0] - linear.gradient.x() * c.x()) / c.y();
     const Thrust thrust = thrustOn(triangle, linear);
     return {thrust.force, thrust.moment_x * plane.e1 + thrust.moment_y * plane.e2};
+}
+
+double wetShare(std::array<double, 3> pressure) {
+    auto& [least, middle, most] = pressure;
+    std::sort(pressure.begin(), pressure.end());
+    if (most <= 0) return 0;
+    if (least >= 0) return 1;
+    // The part on one side of the line p = 0 is a triangle like the whole, cut at these shares of two edges.
+    if (middle <= 0) return most / (most - least) * (most / (most - middle));
+    return 1 - least / (least - most) * (least / (least - middle));
+}
+
+std::vector<double> wetAreas(const State& built) {
+    std::vector<double> areas(built.interfaces.size(), 0.0);
+    const std::optional<Flow>& flow = built.geometry->model.flow;
+    if (!flow) return areas;
+    const auto solved = flow::flowIn(built, *flow);
+    if (!solved) return areas;  // the build has said why
+    const flow::Network network = flow::networkOf(built, flow->refinements);
+    const double none = kSurface * network.size;
+    for (std::size_t t = 0; t < network.triangles.size(); ++t) {
+        std::array<double, 3> head{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double at = solved->pressure_head[static_cast<std::size_t>(network.triangles[t][k])];
+            head[k] = std::abs(at) > none ? at : 0.0;
+        }
+        const Vec3& from = network.corner(t, 0);
+        const Vec3 across = (network.corner(t, 1) - from).cross(network.corner(t, 2) - from);
+        areas[static_cast<std::size_t>(network.patch(t).interface)] += wetShare(head) * 0.5 * across.norm();
+    }
+    return areas;
 }
 
 std::vector<Error> conflicts(const State& state, const Flow& flow) {

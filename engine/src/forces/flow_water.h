@@ -32,6 +32,12 @@ struct TrianglePush {
 };
 TrianglePush pushOn(const std::array<Vec3, 3>& corners, const std::array<double, 3>& pressure);
 
+/// Share of a triangle's area where a linear pressure is above zero, by that at its corners.
+double wetShare(std::array<double, 3> pressure);
+
+/// Of each interface, where the flow of the model as built presses [m^2]; none without a flow.
+std::vector<double> wetAreas(const State& built);
+
 /// The push of this flow on each block of the model, in the block's own frame: force [N], and moment about
 /// the centroid [N m].
 std::vector<double> ownPushes(const State& state, const SteadyFlow& flow);

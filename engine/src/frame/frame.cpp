@@ -145,7 +145,7 @@ void addParts(const Polyhedron& shape, RunGeometry& g) {
 
 }  // namespace
 
-RunGeometry geometryOf(const State& state) {
+RunGeometry geometryOf(const State& state, std::size_t own_joints) {
     RunGeometry g;
     g.mass = state.blocks.mass;
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
@@ -157,6 +157,8 @@ RunGeometry geometryOf(const State& state) {
     if (state.geometry->part_block.size() > state.blocks.size())
         for (const Block& block : state.geometry->model.blocks) addParts(block.shape, g);
     g.supports = supportLines(state);
+    const std::vector<Joint>& joints = state.geometry->model.joints;
+    g.wet_joints.assign(joints.begin() + static_cast<std::ptrdiff_t>(own_joints), joints.end());
     return g;
 }
 

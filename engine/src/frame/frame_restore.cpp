@@ -207,7 +207,7 @@ Error misfitError(const std::string& field) {
 
 }  // namespace
 
-std::vector<Error> restoreFrame(const FullFrame& frame, State& state) {
+std::vector<Error> takeFrame(const FullFrame& frame, State& state) {
     const FrameCounts counts{state.blocks.size(), state.geometry->model.waters.size(), state.laws.size()};
     if (const auto field = misfit(frame, counts)) return {misfitError("full." + *field)};
     if (!isFinite(frame) || !(frame.loads.release > 0) || !(frame.search_margin > 0))
@@ -228,6 +228,11 @@ std::vector<Error> restoreFrame(const FullFrame& frame, State& state) {
     buildIncidence(state);
     finishWalls(state);
     boundPressures(state);
+    return {};
+}
+
+std::vector<Error> restoreFrame(const FullFrame& frame, State& state) {
+    if (std::vector<Error> errors = takeFrame(frame, state); !errors.empty()) return errors;
     if (stateHash(state) != frame.state_hash)
         return {{"full.state_hash", "is not the hash of the frame's own values: the frame is damaged"}};
     if (const std::vector<std::string> findings = validate(state); !findings.empty())

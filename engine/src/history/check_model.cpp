@@ -1,6 +1,6 @@
 // A model without a history: its faults and doubts as a history would find them.
 
-#include "build/build.h"
+#include "build/wet_joints.h"
 #include "checks/plausible.h"
 #include "state/incidence.h"
 #include "talus/parallel.h"
@@ -11,7 +11,7 @@ namespace talus {
 std::vector<Error> checkModel(const Model& model, const Control& control, ModelCheck* found) {
     return inArena(control.threads, [&]() {
         const bool threads = control.threads != 1;
-        const Result<State> built = buildState(keptByCaller(model), threads, control);
+        const Result<State> built = buildWithWetJoints(model, threads, control);
         if (!built) return built.errors();
         if (found) {
             const ContactCount contacts = countContacts(built->interfaces);

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <optional>
 
-#include "build/build.h"
 #include "build/wet_joints.h"
 #include "checks/loose_blocks.h"
 #include "checks/passing.h"
@@ -58,7 +57,9 @@ bool expectsImpacts(const State& state) {
 
 class TimeHistory {
  public:
-    TimeHistory(State state, const Control& control, const RunOutput& output, bool parallel)
+    /// \param given  the model without the joints of wet interfaces
+    TimeHistory(State state, const Model& given, const Control& control, const RunOutput& output,
+                bool parallel)
         : state_(std::move(state)),
           control_(control),
           output_(output),
@@ -67,7 +68,7 @@ class TimeHistory {
           watched_(history::watchedBlocks(state_.geometry->model)),
           changes_strength_(std::any_of(state_.geometry->model.joints.begin(),
                                         state_.geometry->model.joints.end(), changesStrength)) {
-        if (output_.begin) geometry_ = geometryOf(state_);
+        if (output_.begin) geometry_ = geometryOf(state_, given.joints.size());
     }
 
     /// False when stopped: then there is no state to start from. Errors: as of history::bringToStart.
@@ -369,7 +370,6 @@ class TimeHistory {
 
 /// Faults of the model; its doubts go among the state's warnings.
 std::vector<Error> look(State& built, bool parallel) {
-    if (auto refused = refusedWetJoints(built.geometry->model, "a time history")) return {*refused};
     std::vector<Error> errors = checks::implausible(built);
     if (!errors.empty()) return errors;
     for (std::string& doubt : checks::doubtsOfHistory(built, parallel))
@@ -400,13 +400,13 @@ Result<RunResult> playHistory(const Model& model, const Control& control, const 
     return inArena(control.threads, [&]() -> Result<RunResult> {
         const auto started = std::chrono::steady_clock::now();
         Result<RunResult> result = [&]() -> Result<RunResult> {
-            Result<State> built = buildState(keptByCaller(model), control.threads != 1, control);
+            Result<State> built = buildWithWetJoints(model, control.threads != 1, control);
             if (isStopped(control)) return notBegun(model, resume);
             if (!built) return built.errors();
             const bool parallel = worthThreads(*built, control.threads);
             if (std::vector<Error> errors = look(*built, parallel); !errors.empty()) return errors;
             if (isStopped(control)) return notBegun(model, resume);
-            TimeHistory history(std::move(*built), control, output, parallel);
+            TimeHistory history(std::move(*built), model, control, output, parallel);
             const auto [errors, stopped] = begin(history);
             if (!errors.empty()) return errors;
             return stopped ? notBegun(model, resume) : history.run();
@@ -456,11 +456,12 @@ Simulation::~Simulation() = default;
 Result<Simulation> Simulation::begin(std::shared_ptr<const Model> model, const Control& control) {
     auto history = std::make_unique<History>(std::move(model), control);
     const std::vector<Error> errors = inArena(control.threads, [&]() -> std::vector<Error> {
-        Result<State> built = buildState(keptByCaller(*history->model), control.threads != 1, control);
+        Result<State> built = buildWithWetJoints(*history->model, control.threads != 1, control);
         if (!built) return built.errors();
         const bool parallel = worthThreads(*built, control.threads);
         if (std::vector<Error> errors = look(*built, parallel); !errors.empty()) return errors;
-        history->taken.emplace(std::move(*built), history->control, history->output, parallel);
+        history->taken.emplace(std::move(*built), *history->model, history->control, history->output,
+                               parallel);
         const Result<bool> begun = history->taken->start();
         if (begun && !*begun) return {{"", "interrupted before the history began"}};
         return begun.errors();

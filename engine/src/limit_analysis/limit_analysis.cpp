@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "build/build.h"
 #include "build/wet_joints.h"
 #include "checks/plausible.h"
 #include "checks/strength_held.h"
@@ -13,6 +12,7 @@
 #include "forces/sum.h"
 #include "law/joint_laws.h"
 #include "limit_analysis/assemble.h"
+#include "limit_analysis/at_wet_tilt.h"
 #include "limit_analysis/ceiling.h"
 #include "limit_analysis/solver.h"
 #include "measure/natural_order.h"
@@ -373,8 +373,7 @@ template <class T, class Body>
 Result<T> withAssembly(const Model& model, const Control& control, const LimitSettings& settings,
                        const T& interrupted, const Body& body) {
     return inArena(control.threads, [&]() -> Result<T> {
-        std::shared_ptr<const Model> kept = keptByCaller(model);
-        Result<State> built = buildWithWetJoints(kept, control.threads != 1, control);
+        Result<State> built = buildWithWetJoints(model, control.threads != 1, control);
         if (isStopped(control)) return interrupted;
         if (!built) return built.errors();
         built->load.gravity_share = built->load.water_share = 1;
@@ -388,10 +387,7 @@ std::string tooManyPoints(std::size_t points, std::size_t most, bool section) {
            std::to_string(most);
 }
 
-std::optional<Error> refusedOverTilt(const Model& model, Varied load) {
-    if (load != Varied::tilt) return std::nullopt;
-    return refusedWetJoints(model, "limit analysis over the tilt");
-}
+bool wetsByTilt(const Model& model, Varied load) { return load == Varied::tilt && hasWetJoints(model); }
 
 constexpr const char* kInterrupted = "limit analysis was interrupted";
 
@@ -403,12 +399,8 @@ Ceiling upperEnd(const LimitResult& result) {
             result.status == SearchStatus::interrupted ? kInterrupted : "limit analysis is undecided"};
 }
 
-}  // namespace
-
-Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control& control,
-                                  const LimitSettings& settings) {
-    const auto begin = std::chrono::steady_clock::now();
-    if (auto refused = refusedOverTilt(model, load)) return *refused;
+Result<LimitResult> analyseModel(const Model& model, Varied load, const Control& control,
+                                 const LimitSettings& settings) {
     LimitResult interrupted;
     interrupted.status = SearchStatus::interrupted;
     return withAssembly<LimitResult>(
@@ -425,10 +417,29 @@ Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control
             result.warnings = checks::strengthsHeld(model);
             if (auto stated = checks::flowAsStated(model, checks::kNothingOpens))
                 result.warnings.push_back(std::move(*stated));
-            result.wall_seconds =
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             return result;
         });
+}
+
+Result<LimitResult> overWetTilt(const Model& model, const Control& control, const LimitSettings& settings) {
+    const auto analyse = [&](const Model& wet) { return analyseModel(wet, Varied::tilt, control, settings); };
+    std::string doubt;
+    Result<LimitResult> result = atWetTilt<LimitResult>(model, control, analyse, doubt);
+    if (result && !doubt.empty()) result->warnings.push_back(std::move(doubt));
+    return result;
+}
+
+}  // namespace
+
+Result<LimitResult> limitAnalysis(const Model& model, Varied load, const Control& control,
+                                  const LimitSettings& settings) {
+    const auto begin = std::chrono::steady_clock::now();
+    Result<LimitResult> result = wetsByTilt(model, load) ? overWetTilt(model, control, settings)
+                                                         : analyseModel(model, load, control, settings);
+    if (result)
+        result->wall_seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
 }
 
 namespace limit {
@@ -450,10 +461,15 @@ Ceiling ceilingOf(State& state, Varied load, bool always, const Control& control
 
 Result<Ceiling> limitCeiling(const Model& model, Varied load, bool always, const Control& control,
                              const LimitSettings& settings) {
-    if (auto refused = refusedOverTilt(model, load)) return *refused;
+    if (wetsByTilt(model, load)) {
+        std::string doubt;
+        const auto analyse = [&](const Model& wet) {
+            return limitCeiling(wet, load, always, control, settings);
+        };
+        return limit::atWetTilt<Ceiling>(model, control, analyse, doubt);
+    }
     return inArena(control.threads, [&]() -> Result<Ceiling> {
-        std::shared_ptr<const Model> kept = keptByCaller(model);
-        Result<State> built = buildWithWetJoints(kept, control.threads != 1, control);
+        Result<State> built = buildWithWetJoints(model, control.threads != 1, control);
         if (isStopped(control)) return Ceiling{std::nullopt, kInterrupted};
         if (!built) return built.errors();
         return limit::ceilingOf(*built, load, always, control, settings);

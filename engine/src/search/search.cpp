@@ -13,6 +13,7 @@
 #include "equilibrium/release.h"
 #include "measure/stopwatch.h"
 #include "search/search_run.h"
+#include "search/wet_tilt_search.h"
 #include "state/caller.h"
 #include "state/threads.h"
 #include "step/time_step.h"
@@ -317,13 +318,11 @@ bool Search::letSmallGo(EquilibriumPath& path, const Followed& found, bool is_an
 }
 Result<SearchResult> searchFor(Varied varied, const Model& model, const Control& control,
                                const SearchRules& rules) {
-    if (varied == Varied::tilt)
-        if (auto refused = refusedWetJoints(model, "a search over the tilt")) return *refused;
-    if (control.keep_failing_state)
-        if (auto refused = refusedWetJoints(model, "the history of a failure")) return *refused;
     return inArena(control.threads, [&]() -> Result<SearchResult> {
         const Stopwatch all;
-        Result<SearchResult> result = Search(varied, model, control, rules).run();
+        const bool wets = varied == Varied::tilt && hasWetJoints(model);
+        Result<SearchResult> result =
+            wets ? findTiltOfWetJoints(model, control, rules) : Search(varied, model, control, rules).run();
         if (result) result->wall_seconds = all.seconds();
         return result;
     });

@@ -343,6 +343,8 @@ SnapshotHeader headerOf(const Scenario& scenario, RunGeometry geometry, std::str
     }
     header.geometry = std::move(geometry);
     header.joints = model.joints;
+    const std::vector<Joint>& wet = header.geometry.wet_joints;
+    header.joints.insert(header.joints.end(), wet.begin(), wet.end());
     if (!allCoulomb(model.joints)) header.format = kFormatWithLaws;
     header.waters = model.waters;
     if (model.phreatic) {

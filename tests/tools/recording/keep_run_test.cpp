@@ -150,6 +150,36 @@ TEST_CASE("safety-factor: the kept run has the reduced strengths") {
     CHECK(runTalus({"replay", file, "--verify", "--quiet"}).exit_code == 0);
 }
 
+TEST_CASE(
+    "a kept run of joints that water weakens goes on from its file, as wet as its own tilt makes them") {
+    const TemporaryFolder folder;
+    const std::string scenario =
+        folder.write("wet.toml",
+                     "[analysis]\nstart_deg = 10.0\n[material.rock]\ndensity = 2700.0\n"
+                     "[joint.default]\nnormal_stiffness = 1e10\nshear_stiffness = 1e10\nfriction_deg = 25.0\n"
+                     "wet_strength_factor = 0.6\n"
+                     "[[stack]]\ncolumns = 2\nrows = 2\nslices = 1\nblock = [0.2, 0.1, 0.1]\n"
+                     "[[water]]\nbetween = [\"c1r1s1\", \"floor\"]\nelevation = 0.02\n");
+    const std::string file = folder / "failing.mcap";
+    const Outcome outcome = runTalus({"critical-angle", scenario, "--keep-run", file, "--json", "--quiet"});
+    REQUIRE(outcome.exit_code == 0);
+    auto reader = SnapshotReader::open(file);
+    REQUIRE(reader.ok());
+    const formats::SnapshotHeader& header = reader->header();
+    REQUIRE(header.joints.size() == 2);
+    CHECK(header.joints[1].name.ends_with("wet"));
+    const auto read = formats::parseScenario(header.scenario_text, header.scenario_path);
+    REQUIRE(read.ok());
+    REQUIRE(reader->fulls() >= 3);
+    const FullFrame from = *reader->full(1);
+    const talus::test::Recorded resumed = talus::test::record(read->model, 1000, &from);
+    REQUIRE(resumed.result.ok());
+    REQUIRE(reader->frameOf(1).has_value());
+    const std::size_t next = *reader->frameOf(1) + 1;
+    for (std::size_t k = 0; next + k < reader->frames().size(); ++k)
+        CHECK(resumed.lights.at(k).state_hash == reader->frame(next + k)->state_hash);
+}
+
 TEST_CASE("a slope that stands keeps nothing and says so; nothing finished is replaced unasked") {
     const TemporaryFolder folder;
     const std::string stands = folder.write("stands.toml", blockScenario(0, 40, kQuickSearch));
