@@ -151,6 +151,7 @@ Result<InitialState> findStart(State& state, const Control& control, bool parall
     Result<State> anew = buildState(model, parallel, control);
     if (!anew) return InitialState::unstressed;
     state = *std::move(anew);
+    state.warnings = std::move(built.warnings);
     if (!held) return InitialState::unstressed;
     state.blocks.position = std::move(held->position);
     state.blocks.orientation = std::move(held->orientation);
