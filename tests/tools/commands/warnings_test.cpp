@@ -39,6 +39,23 @@ TEST_CASE("warnings of the input stand in every answer, once, with --quiet too")
     }
 }
 
+TEST_CASE("water above its joint is told of by every command that computes with it") {
+    const TemporaryFolder folder;
+    const std::string scenario = folder.write(
+        "s.toml",
+        "[gravity]\ntilt_deg = 2.0\n[material.rock]\ndensity = 2700.0\n[joint.default]\n"
+        "normal_stiffness = 1e10\nshear_stiffness = 1e10\nfriction_deg = 30.0\n[run]\nduration_s = 0.001\n"
+        "[[stack]]\ncolumns = 2\nrows = 1\nslices = 1\nblock = [0.2, 0.1, 0.1]\n"
+        "[[water]]\nfissure = 1\ndepth = 0.11\n");
+    for (const std::string command : {"validate", "safety-factor", "run", "limit-analysis", "keyblocks"}) {
+        CAPTURE(command);
+        std::vector<std::string> arguments{command, scenario};
+        if (command == "limit-analysis") arguments.insert(arguments.end(), {"--for", "factor"});
+        const Outcome outcome = runTalus(arguments);
+        CHECK(countOf("water[0]: found a depth of 0.11 m", outcome.out) == 1);
+    }
+}
+
 TEST_CASE("a run without an equilibrium at its start keeps the warnings of its input") {
     const TemporaryFolder folder;
     const std::string scenario = folder.write(
