@@ -26,6 +26,13 @@ double factorOf(const PlaneSlope& slope) {
     return result->answer;
 }
 
+std::vector<std::string> warningsOf(const PlaneSlope& slope) {
+    const auto scenario = formats::parseScenario(slope.scenario(), "plane.toml");
+    const auto result = safetyFactor(scenario->model, {.interval = false, .upper_bound = Beside::never});
+    REQUIRE(result.ok());
+    return result->warnings;
+}
+
 void check(const PlaneSlope& slope, double by_hand) {
     CAPTURE(slope.scenario());
     CHECK(factorOf(slope) == doctest::Approx(by_hand).epsilon(0.003));
@@ -59,6 +66,47 @@ TEST_SUITE("physics") {
                 cracked.water = filled(percent, "toe", true);
                 check(cracked, cracked.factor(level, [&](double z) { return kWater * (level - z); }));
             }
+    }
+
+    TEST_CASE("plane failure: filled to 0 % is dry, and nobody is warned of that") {
+        PlaneSlope slope;
+        const double dry = factorOf(slope);
+        for (const char* peak : {"crack-base", "half-height", "toe"}) {
+            slope.water = filled(0, peak, true);
+            CHECK(factorOf(slope) == doctest::Approx(dry).epsilon(1e-9));
+            const auto told = warningsOf(slope);
+            CHECK(std::none_of(told.begin(), told.end(), [](const std::string& warning) {
+                return warning.find("wets no free block") != std::string::npos;
+            }));
+        }
+    }
+
+    TEST_CASE("plane failure: a closed volume above the level at which it runs over is an error") {
+        PlaneSlope slope;
+        slope.water =
+            "elevation = 0\n[[water]]\njoint = \"crack\"\nvolume = \"closed\"\nopening = 0.04\nelevation = ";
+        const auto errors = [&](const std::string& level) {
+            PlaneSlope filled = slope;
+            filled.water += level + "\n";
+            return safetyFactor(formats::parseScenario(filled.scenario(), "plane.toml")->model,
+                                {.interval = false, .upper_bound = Beside::never})
+                .errors();
+        };
+        CHECK(errors("30").empty());
+        REQUIRE(errors("32").size() == 1);
+        CHECK(errors("32")[0].field == "water[1].elevation");
+        CHECK(errors("32")[0].message.find("filled to 32 m, 2 m above the level at which it runs over") !=
+              std::string::npos);
+    }
+
+    TEST_CASE("plane failure: a crack that cuts nothing is named") {
+        PlaneSlope slope{.crack_at = -1};
+        slope.water = filled(50, "crack-base", true) +
+                      "[[single_joint]]\nname = \"crack\"\npoint = [1000, 0, 0]\ndip_deg = 90\n"
+                      "dip_direction_deg = 270\n";
+        const auto errors = formats::parseScenario(slope.scenario(), "plane.toml").errors();
+        REQUIRE(errors.size() == 1);
+        CHECK(errors[0].message.find("found the joint \"crack\", which cuts no block") == 0);
     }
 
     TEST_CASE("plane failure of 60 m without a crack, peak at half height: Hoek's Sau Mau Ping") {

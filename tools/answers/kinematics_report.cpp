@@ -251,6 +251,7 @@ std::string kinematicsText(const KinematicsAnswer& answer) {
         head +=
             line("parallel pairs", std::to_string(answer.analysis.lines.parallel) + ", without intersection");
     }
+    for (const std::string& warning : answer.source.warnings) head += line("warning", warning);
     return head + "\n" + testsText(answer) + weighingText(answer) + "\n" + setsText(answer);
 }
 

@@ -281,7 +281,8 @@ std::string searchText(const SearchReport& report, bool verbose) {
         table += rows(besideLines(report)) + rows(intervalLines(report)) + rows(failureLines(report));
     table += rows(groupLines(report)) + rows(supportLines(report)) + row({"model", sizeText(result)}) +
              row({"cost", costText(result)}) + row({"state hash", hashText(result.state_hash)});
-    for (const std::string& warning : result.warnings) table += row({"warning", warning});
+    for (const std::string& warning : warningsOf(report.scenario, result.warnings))
+        table += row({"warning", warning});
     if (report.kept)
         for (const auto& [label, content] : keptRunLines(*report.kept)) table += row({label, content});
     for (const DrawnFile& drawn : report.drawn)

@@ -33,7 +33,7 @@ Json factorJson(const StormPoint& point) {
 }
 
 Json pointJson(const StormPoint& point) {
-    const bool found = point.status == SearchStatus::found;
+    const bool has_bracket = point.status == SearchStatus::found && !point.interpolated;
     Json levels = Json::array(), strengths = Json::array();
     for (const double level : point.levels) levels.push_back(number(level));
     for (const double strength : point.strengths) strengths.push_back(number(strength));
@@ -41,7 +41,7 @@ Json pointJson(const StormPoint& point) {
             {"level_m", point.levels.empty() ? Json(nullptr) : number(point.levels.front())},
             {"safety_factor", factorJson(point)},
             {"status", toString(point.status)},
-            {"bracket", found ? Json{number(point.low), number(point.high)} : Json(nullptr)},
+            {"bracket", has_bracket ? Json{number(point.low), number(point.high)} : Json(nullptr)},
             {"failure_mode", toString(point.mode)},
             {"interpolated", point.interpolated},
             {"levels_m", levels},
@@ -126,6 +126,16 @@ Table tableOf(const StormResult& result) {
     return table;
 }
 
+/// Settings are named as the options that give them.
+Result<StormResult> byOption(Result<StormResult> result) {
+    if (result) return result;
+    std::vector<Error> errors = result.errors();
+    for (Error& error : errors)
+        for (const char* setting : {"duration", "step"})
+            if (error.field == setting) error.field = std::string("--") + setting + "-s";
+    return errors;
+}
+
 }  // namespace
 
 StormResult stormOf(const formats::Scenario& scenario, const StormRequest& request, const Common& common,
@@ -133,7 +143,7 @@ StormResult stormOf(const formats::Scenario& scenario, const StormRequest& reque
     requireFreeBlock(scenario);
     refuseOutput("--plot", request.plot, ".svg");
     refuseOutput("--csv", request.csv, ".csv");
-    StormResult result = valueOf(storm(scenario.model, request.settings, control), scenario);
+    StormResult result = valueOf(byOption(storm(scenario.model, request.settings, control)), scenario);
     const std::string comments = provenanceComments(common, scenario.path);
     if (!request.csv.empty()) writeFile(request.csv, stormCsv(result, comments));
     if (!request.plot.empty()) writeFile(request.plot, svgFile(stormPlot(result, scenario.path), true));
@@ -171,7 +181,7 @@ std::string stormText(const StormResult& result, const formats::Scenario& scenar
         lines += row("moving blocks",
                      std::to_string(result.moving_blocks.size()) + ": " + compactNames(result.moving_blocks));
     for (const WaterReport& water : result.at_end) lines += row(water.name, balanceText(water));
-    for (const std::string& warning : result.warnings) lines += row("warning", warning);
+    for (const std::string& warning : warningsOf(scenario, result.warnings)) lines += row("warning", warning);
     return lines +
            row("cost", std::to_string(result.points.size()) + " times, " + std::to_string(result.searches) +
                            " searches, " + text(result.wall_seconds, 2) + " s") +

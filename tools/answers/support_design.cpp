@@ -448,7 +448,7 @@ std::string supportDesignText(const SupportQuestion& question, const SupportDesi
     for (const SupportTrial& trial : design.trials)
         lines += row(&trial == &design.trials.front() ? "trials" : "",
                      amount.text(trial) + ": " + factorText(trial));
-    for (const std::string& warning : design.warnings) lines += row("warning", warning);
+    for (const std::string& warning : warningsOf(scenario, design.warnings)) lines += row("warning", warning);
     return lines + row("cost", std::to_string(design.trials.size()) + " searches, " +
                                    text(design.wall_seconds, 2) + " s");
 }

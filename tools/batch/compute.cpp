@@ -4,6 +4,7 @@
 #include <ctime>
 #include <limits>
 
+#include "batch/warnings.h"
 #include "cli/block_names.h"
 #include "cli/text.h"
 #include "talus/simulation.h"
@@ -32,6 +33,10 @@ class RowWriter {
     void addReason(const std::string& text) {
         std::string& cell = cells_.back();
         if (!text.empty()) cell += (cell.empty() ? "" : "; ") + text;
+    }
+    void addWarnings(const std::vector<std::string>& warnings) {
+        std::string& cell = cells_[*info_.find(kWarnings)];
+        for (const std::string& warning : warnings) cell += (cell.empty() ? "" : kBetweenWarnings) + warning;
     }
     Row take() { return std::move(cells_); }
 
@@ -119,7 +124,7 @@ void writeSearch(const SearchResult& result, const LoadSearch& search, const Mod
     row.set("state_hash", hashText(result.state_hash));
     if (result.status == SearchStatus::undecided)
         row.addReason(result.probes.empty() ? "undecided" : result.probes.back().reason);
-    for (const std::string& warning : result.warnings) row.addReason(warning);
+    row.addWarnings(result.warnings);
 }
 
 void writeRun(const RunResult& result, RowWriter& row) {
@@ -133,7 +138,7 @@ void writeRun(const RunResult& result, RowWriter& row) {
     }
     row.set("steps", result.steps);
     row.set("state_hash", hashText(result.state_hash));
-    for (const std::string& warning : result.warnings) row.addReason(warning);
+    row.addWarnings(result.warnings);
 }
 
 /// False when it was interrupted.
@@ -177,6 +182,7 @@ std::optional<ComputedRow> computeRun(const Sweep& sweep, const BatchInfo& info,
         const auto sampled = formats::scenarioOf(sweep, run);
         if (sampled) {
             writeDrawn(sweep, *sampled, row);
+            row.addWarnings(sampled->scenario.warnings);
             if (!analyse(*sampled, sweep, stop, row, failed)) return std::nullopt;
         } else {
             fail(row, sampled.errors());

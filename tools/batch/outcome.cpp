@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <iterator>
 
 #include "batch/map_files.h"
 #include "batch/map_on_slope.h"
@@ -73,6 +74,13 @@ std::optional<Ground> groundForMap(const formats::Sweep& sweep, const BatchReque
     return ground;
 }
 
+/// Of the rows of one shard: its folder may hold those of others.
+std::vector<WarningGroup> warningsOf(StoredBatch stored, const Shard& shard) {
+    for (auto line = stored.lines.begin(); line != stored.lines.end();)
+        line = shard.has(stored.info, line->first) ? std::next(line) : stored.lines.erase(line);
+    return summarise(stored).warnings;
+}
+
 /// Nothing when it was stopped.
 std::optional<FailureMap> writeMaps(const formats::Sweep& sweep, const StoredBatch& stored, Ground ground,
                                     const BatchRequest& request, const std::atomic<bool>& stop) {
@@ -116,9 +124,12 @@ BatchOutcome computeBatch(const formats::Sweep& sweep, const BatchRequest& reque
         .identity = store.info().identity,
         .results = store.resultsPath(),
         .seed = store.info().seed};
-    if (!request.shard.whole()) return outcome;
     const StoredBatch stored = readStored(request.folder);
-    writeReport(request.folder, stored, request.common);
+    if (!request.shard.whole()) {
+        outcome.warnings = warningsOf(stored, request.shard);
+        return outcome;
+    }
+    outcome.warnings = writeReport(request.folder, stored, request.common).warnings;
     if (ground && !stop) outcome.map = writeMaps(sweep, stored, *std::move(ground), request, stop);
     return outcome;
 }
@@ -140,6 +151,7 @@ Json batchJson(const BatchOutcome& outcome, const BatchRequest& request) {
             {"identity", outcome.identity},
             {"seed", outcome.seed},
             {"results", outcome.results},
+            {"warnings", toJson(outcome.warnings)},
             {"summary", whole ? Json(request.folder + "/summary.json") : Json(nullptr)},
             {"page", whole ? Json(request.folder + "/report.html") : Json(nullptr)},
             {"map", outcome.map ? toJson(*outcome.map, request.mapFiles()) : Json(nullptr)},

@@ -8,6 +8,7 @@
 
 #include "batch/failure_map.h"
 #include "batch/schedule.h"
+#include "batch/warnings.h"
 #include "cli/common.h"
 #include "cli/json_fwd.h"
 #include "talus/analysis.h"
@@ -36,6 +37,7 @@ struct BatchOutcome {
     bool interrupted = false;
     std::string identity, results;
     std::uint64_t seed = 0;
+    std::vector<WarningGroup> warnings{};  ///< of all rows of the batch, or of the shard
     std::optional<FailureMap> map{};
 };
 

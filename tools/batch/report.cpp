@@ -67,6 +67,8 @@ Json opening(const Summary& summary) {
             paragraph(std::to_string(summary.failed) +
                           " runs failed or are undecided; the figures below do not include them.",
                       "alert"));
+    if (!summary.warnings.empty())
+        blocks.push_back(paragraph("Runs have warnings, which are listed below.", "alert"));
     return blocks;
 }
 
@@ -276,6 +278,22 @@ Json failures(const Summary& summary) {
     return section("failures", "Failed runs", "Failed and undecided runs", std::move(blocks));
 }
 
+Json warnings(const Summary& summary) {
+    Json blocks = Json::array(), rows = Json::array();
+    const std::size_t shown = std::min(summary.warnings.size(), kMostWarningsShown);
+    for (std::size_t k = 0; k < shown; ++k) {
+        const WarningGroup& group = summary.warnings[k];
+        rows.push_back({group.runs, group.first, group.text});
+    }
+    if (rows.empty()) return section("warnings", "Warnings", "Warnings", std::move(blocks));
+    blocks.push_back(table(
+        "Warnings that differ by numbers alone count as one; numbers are those of the first run",
+        {numberColumn("runs", 0), numberColumn("first run", 0), textColumn("warning")}, std::move(rows)));
+    if (const std::string more = moreWarnings(summary.warnings); !more.empty())
+        blocks.push_back(paragraph(more + ".", "muted"));
+    return section("warnings", "Warnings", "Warnings", std::move(blocks));
+}
+
 Json origin(const Summary& summary, const Json& provenance) {
     const BatchInfo& info = summary.info;
     std::vector<std::pair<std::string, std::string>> list{
@@ -301,15 +319,15 @@ Json batchReport(const Summary& summary, const Json& provenance) {
         sections.push_back(heatMaps(summary));
         sections.push_back(responses(summary));
     }
-    for (Json one : {cases(summary), failures(summary), origin(summary, provenance)})
+    for (Json one : {cases(summary), failures(summary), warnings(summary), origin(summary, provenance)})
         sections.push_back(std::move(one));
     for (Json& one : sections)
         if (!one["blocks"].empty()) report.sections.push_back(std::move(one));
     return toJson(report);
 }
 
-void writeReport(const std::string& folder, const StoredBatch& batch, const Common& common) {
-    const Summary summary = summarise(batch);
+Summary writeReport(const std::string& folder, const StoredBatch& batch, const Common& common) {
+    Summary summary = summarise(batch);
     const Json facts = provenance(common, batch.info.scenario), report = batchReport(summary, facts);
     Json json = toJson(summary);
     json["provenance"] = facts;
@@ -319,6 +337,7 @@ void writeReport(const std::string& folder, const StoredBatch& batch, const Comm
     write(kSummaryName, json, 2);
     write(kReportName, report, -1);
     writeFile(folder + "/" + kPageName, reportPage(report));
+    return summary;
 }
 
 }  // namespace talus::tools::batch

@@ -12,7 +12,7 @@ namespace talus::tools::batch {
 /// What the page shows, as report/README.md documents it.
 Json batchReport(const Summary& summary, const Json& provenance);
 
-/// Writes the files. Throws FileRefused.
-void writeReport(const std::string& folder, const StoredBatch& batch, const Common& common);
+/// Writes the files, and returns what they tell. Throws FileRefused.
+Summary writeReport(const std::string& folder, const StoredBatch& batch, const Common& common);
 
 }  // namespace talus::tools::batch

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "batch/warnings.h"
 #include "cli/json.h"
 
 namespace talus::tools::batch {
@@ -113,7 +114,9 @@ std::vector<Column> columnsOf(const Sweep& sweep) {
     columns.push_back({"steps", "integer", "", "along paths, or in time"});
     columns.push_back({"cpu_seconds", "number", "s", "processor time of the run"});
     columns.push_back({"state_hash", "string", "", "of the state at the end of the last step"});
-    columns.push_back({"reason", "string", "", "why a run failed or is undecided; warnings"});
+    columns.push_back({kWarnings, "string", "",
+                       std::string("of the input and of the run; between them") + kBetweenWarnings});
+    columns.push_back({"reason", "string", "", "why a run failed or is undecided"});
     return columns;
 }
 

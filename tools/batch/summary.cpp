@@ -173,6 +173,16 @@ Json toJson(const Group& group, const BatchInfo& info) {
 
 }  // namespace
 
+Json toJson(const std::vector<WarningGroup>& warnings) {
+    Json list = Json::array();
+    for (const WarningGroup& group : warnings)
+        list.push_back({{"text", group.text},
+                        {"runs", group.runs},
+                        {"first_run", group.first},
+                        {"numbers_differ", group.differs}});
+    return list;
+}
+
 std::optional<bool> hasFailed(const Observation& seen, double answer, double threshold) {
     if (std::isfinite(answer)) return answer <= threshold;
     if (answer < 0) return seen.high <= threshold ? std::optional(true) : std::nullopt;
@@ -203,10 +213,13 @@ Summary summarise(const StoredBatch& batch) {
     for (const auto& entry : batch.lines) runs.push_back(entry.first);
     std::sort(runs.begin(), runs.end());
     const std::size_t status = *info.find("status");
+    const auto warned = info.find(kWarnings);  // earlier versions had them in the column reason
+    WarningCount warnings;
     for (const std::uint64_t run : runs) {
         const Row row = batch.row(run);
         ++summary.done;
         ++summary.statuses[row[status]];
+        if (warned) warnings.add(run, row[*warned]);
         if (isFailure(row[status])) {
             ++summary.failed;
             if (summary.failures.size() < kMostFailures)
@@ -227,6 +240,7 @@ Summary summarise(const StoredBatch& batch) {
         summary.cases.push_back(std::move(group));
     }
     addSensitivities(summary);
+    summary.warnings = warnings.groups();
     return summary;
 }
 
@@ -256,7 +270,8 @@ Json toJson(const Summary& summary) {
             {"all", toJson(summary.all, info)},
             {"by_case", cases},
             {"sensitivity", sensitivities},
-            {"failures", failures}};
+            {"failures", failures},
+            {"warnings", toJson(summary.warnings)}};
 }
 
 }  // namespace talus::tools::batch

@@ -9,6 +9,7 @@
 
 #include "batch/statistics.h"
 #include "batch/store.h"
+#include "batch/warnings.h"
 
 namespace talus::tools::batch {
 
@@ -62,6 +63,7 @@ struct Summary {
     std::map<std::string, std::uint64_t> statuses;
     std::uint64_t done = 0, failed = 0;
     std::vector<std::pair<std::uint64_t, std::string>> failures;  ///< the first ones: run and reason
+    std::vector<WarningGroup> warnings;                           ///< of all runs, failed ones too
     Group all;
     std::vector<Group> cases;                ///< when there are several cases, and not too many to list
     std::vector<Sensitivity> sensitivities;  ///< the strongest first
@@ -69,6 +71,7 @@ struct Summary {
 
 Summary summarise(const StoredBatch& batch);
 Json toJson(const Summary& summary);
+Json toJson(const std::vector<WarningGroup>& warnings);
 
 /// "water[0].depth = 0.2, ..." of a case, from one of its rows.
 std::string caseLabel(const BatchInfo& info, const Row& row);

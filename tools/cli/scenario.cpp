@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "cli/json.h"
 #include "cli/progress.h"
 #include "talus/formats/changes.h"
@@ -51,8 +53,6 @@ formats::Scenario loadScenario(const ScenarioInput& input, const Common& common)
     formats::Scenario scenario =
         valueOf(formats::readScenario(input.path, changes, nullptr, progress.callback()));
     progress.finish();
-    for (const std::string& warning : scenario.warnings)
-        note(common, "warning: " + input.name() + ": " + warning);
     return scenario;
 }
 
@@ -61,10 +61,23 @@ void requireFreeBlock(const formats::Scenario& scenario) {
         throw BadInput(formats::placed(scenario, {std::move(*none)}));
 }
 
-Json warningsJson(const formats::Scenario& scenario, const std::vector<std::string>& result) {
-    Json all = scenario.warnings;
-    for (const std::string& warning : result) all.push_back(warning);
+std::vector<std::string> warningsOf(const formats::Scenario& scenario,
+                                    const std::vector<std::string>& result) {
+    std::vector<std::string> all;
+    for (const auto* list : {&scenario.warnings, &result})
+        for (const std::string& warning : *list)
+            if (std::find(all.begin(), all.end(), warning) == all.end()) all.push_back(warning);
     return all;
+}
+
+std::string warningLines(const formats::Scenario& scenario, const std::vector<std::string>& result) {
+    std::string lines;
+    for (const std::string& warning : warningsOf(scenario, result)) lines += "warning: " + warning + "\n";
+    return lines;
+}
+
+Json warningsJson(const formats::Scenario& scenario, const std::vector<std::string>& result) {
+    return warningsOf(scenario, result);
 }
 
 }  // namespace talus::tools

@@ -35,13 +35,17 @@ EndsAtOnce whileReading(const std::string& name, const Common& common);
 /// The same of something else that leaves nothing: "interrupted while " `doing`.
 EndsAtOnce endsWhile(const std::string& doing, const Common& common);
 
-/// Reads a scenario; throws BadInput. Its warnings go to stderr.
+/// Reads a scenario; throws BadInput. Its warnings belong to the answer (warningsOf).
 formats::Scenario loadScenario(const ScenarioInput& input, const Common& common);
 
 /// Throws BadInput where no block is free to move: a search has no answer then.
 void requireFreeBlock(const formats::Scenario& scenario);
 
-/// Warnings of a result: those of the scenario, then those of the result.
+/// Warnings of an answer, each once: those of the scenario, then those of the result.
+std::vector<std::string> warningsOf(const formats::Scenario& scenario,
+                                    const std::vector<std::string>& result = {});
+/// The same as lines: "warning: ...".
+std::string warningLines(const formats::Scenario& scenario, const std::vector<std::string>& result = {});
 Json warningsJson(const formats::Scenario& scenario, const std::vector<std::string>& result = {});
 
 }  // namespace talus::tools

@@ -53,7 +53,7 @@ std::string toText(const BatchOptions& options, const std::vector<std::string>& 
     if (tally.done < tally.runs)
         lines += tally.interrupted ? "interrupted: run the same command again to continue\n"
                                    : "another process is computing the others\n";
-    lines += "results in " + tally.results + "\n";
+    lines += warningLines(tally.warnings, tally.done) + "results in " + tally.results + "\n";
     if (options.shard.empty())
         lines += "report in " + options.folder + "/report.html\n";
     else

@@ -225,7 +225,8 @@ int blocks(const BlocksOptions& options) {
     if (!options.output.empty()) writeFile(options.output, drawn);
     const std::vector<Network> networks = networksOf(*joints, sizes.total);
     if (!options.common.json) {
-        printResult(summary(scenario.model, sizes, scenario.finite_cuts) + networkLines(networks));
+        printResult(summary(scenario.model, sizes, scenario.finite_cuts) + networkLines(networks) +
+                    warningLines(scenario));
         return kDone;
     }
     Json result = json(scenario.model, sizes, scenario.finite_cuts);

@@ -56,12 +56,11 @@ int analyse(const FlowOptions& options) {
     refuse("--picture", options.picture, ".svg");
     const EndsAtOnce solving = endsWhile("the flow was computed", options.common);
     const SteadyFlow flow = valueOf(solve(scenario.model, options), scenario);
-    for (const std::string& warning : flow.warnings) note(options.common, "warning: " + warning);
     writeFiles(options, flow, scenario.model);
     if (options.common.json)
         printJson(flowJson(flow, options.common, scenario));
     else
-        printResult(flowText(flow, options.scenario.name()));
+        printResult(flowText(flow, options.scenario.name()) + warningLines(scenario, flow.warnings));
     return kDone;
 }
 

@@ -52,12 +52,12 @@ int analyse(const KeyBlockOptions& options) {
     const KeyBlockResult result =
         valueOf(keyBlocks(scenario.model, controlOf(options.common, progress), options.settings), scenario);
     progress.finish();
-    for (const std::string& warning : result.warnings) note(options.common, "warning: " + warning);
     writeFiles(options, result);
     if (options.common.json)
         printJson(keyBlocksJson(result, options.common, scenario));
     else
-        printResult(keyBlocksText(result, options.scenario.name(), options.settings.most_groups));
+        printResult(keyBlocksText(result, options.scenario.name(), options.settings.most_groups) +
+                    warningLines(scenario, result.warnings));
     return result.interrupted ? kInterrupted : kDone;
 }
 

@@ -64,10 +64,12 @@ std::string movingText(const LimitResult& result) {
            " free: " + compactNames(result.moving_blocks);
 }
 
-std::string toText(const LimitOptions& options, const LimitResult& result) {
+std::string toText(const LimitOptions& options, const formats::Scenario& scenario,
+                   const LimitResult& result) {
     const std::string kind = result.plane_section ? "plane section" : "in space";
     std::string warnings;
-    for (const std::string& warning : result.warnings) warnings += row("warning", warning);
+    for (const std::string& warning : warningsOf(scenario, result.warnings))
+        warnings += row("warning", warning);
     return row("scenario", options.scenario.name()) + row(options.load->limit, answerText(options, result)) +
            (result.moving_blocks.empty() ? "" : row("moving blocks", movingText(result))) + warnings +
            row("programme", kind + ", " + std::to_string(result.contact_points) + " contact points, " +
@@ -101,7 +103,8 @@ int analyse(const LimitOptions& options) {
         if (kept) json["kept_mechanism"] = keptMechanismJson(*kept);
         printJson(json);
     } else {
-        printResult(toText(options, result) + (kept ? row("mechanism", keptMechanismText(*kept)) : ""));
+        printResult(toText(options, scenario, result) +
+                    (kept ? row("mechanism", keptMechanismText(*kept)) : ""));
     }
     return kept && kept->exit_code != kDone ? kept->exit_code : exitCode(result.status);
 }

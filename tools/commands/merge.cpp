@@ -61,19 +61,20 @@ int merge(const MergeOptions& options) {
     writeFile(folder + "/results.csv", csv);
     writeFile(folder + "/results.csv-metadata.json",
               jsonText(csvMetadata(all.info, "results.csv"), 2) + "\n");
-    writeReport(folder, all, options.common);
+    const auto warnings = writeReport(folder, all, options.common).warnings;
     const std::uint64_t missing = all.info.runs - std::min<std::uint64_t>(all.info.runs, runs.size());
     if (options.common.json)
         printJson({{"runs", all.info.runs},
                    {"done", runs.size()},
                    {"failed", failed},
                    {"missing", missing},
+                   {"warnings", toJson(warnings)},
                    {"results", folder + "/results.csv"},
                    {"page", folder + "/report.html"}});
     else
         printResult(std::to_string(runs.size()) + " of " + std::to_string(all.info.runs) + " runs" +
                     (failed ? ", " + std::to_string(failed) + " of them failed" : "") + ", report in " +
-                    folder + "/report.html\n");
+                    folder + "/report.html\n" + warningLines(warnings, runs.size()));
     return missing > 0 || failed > 0 ? kUndecided : kDone;
 }
 

@@ -23,6 +23,8 @@ struct ReportOptions {
 
 int report(const ReportOptions& options) {
     const formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    for (const std::string& warning : scenario.warnings)
+        note(options.common, "warning: " + options.scenario.name() + ": " + warning);
     requireFreeBlock(scenario);
     SlopeReportFiles files = slopeReportFiles(options.output, options.figures);
     refuseSlopeReportFiles(files);

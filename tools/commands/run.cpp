@@ -83,8 +83,7 @@ std::string toText(const RunOptions& options, const formats::Scenario& scenario,
         lines += water.name + ": level " + text(water.level, 6) + " m, volume " + text(water.volume, 9) +
                  " m3" + (water.run_over > 0 ? ", " + text(water.run_over, 9) + " m3 have run over" : "") +
                  (water.leaked > 0 ? ", " + text(water.leaked, 9) + " m3 have leaked" : "") + "\n";
-    for (const std::string& warning : result.warnings) lines += "warning: " + warning + "\n";
-    return lines + recorder.lines();
+    return lines + warningLines(scenario, result.warnings) + recorder.lines();
 }
 
 struct Options {

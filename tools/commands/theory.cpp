@@ -33,13 +33,12 @@ int ofScenario(const Common& common, const ScenarioInput& input) {
                    {"warnings", warningsJson(scenario, warnings)},
                    {"provenance", provenance(common, path)}});
     } else if (prediction) {
-        std::string told;
-        for (const std::string& warning : warnings) told += "warning: " + warning + "\n";
         printResult(path + ": critical angle " + text(degrees(prediction->critical_tilt), 4) + " deg, " +
                     (prediction->topples ? "toppling" : "sliding") + "\n" + prediction->formula + "\n" +
-                    "applies because: " + prediction->applies_because + "\n" + told);
+                    "applies because: " + prediction->applies_because + "\n" +
+                    warningLines(scenario, warnings));
     } else {
-        printResult(path + ": no closed formula applies\n");
+        printResult(path + ": no closed formula applies\n" + warningLines(scenario));
     }
     return kDone;
 }

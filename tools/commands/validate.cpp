@@ -56,18 +56,15 @@ std::string summary(const std::string& path, const Model& model, const ModelChec
 
 int validate(const ValidateOptions& options) {
     const EndsAtOnce checking = whileReading(options.scenario.name(), options.common);
-    formats::Scenario scenario = loadScenario(options.scenario, options.common);
+    const formats::Scenario scenario = loadScenario(options.scenario, options.common);
     ModelCheck found;
     ProgressPrinter progress(options.common);
     const std::vector<Error> errors = checkModel(scenario.model, controlOf(options.common, progress), &found);
     progress.finish();
     if (!errors.empty()) throw BadInput(formats::placed(scenario, errors));
-    for (std::string& doubt : found.warnings) {
-        note(options.common, "warning: " + options.scenario.name() + ": " + doubt);
-        scenario.warnings.push_back(std::move(doubt));
-    }
     if (!options.common.json) {
-        printResult(summary(options.scenario.name(), scenario.model, found));
+        printResult(summary(options.scenario.name(), scenario.model, found) +
+                    warningLines(scenario, found.warnings));
         return kDone;
     }
     Json json{{"ok", true}, {"errors", Json::array()}};
@@ -75,7 +72,7 @@ int validate(const ValidateOptions& options) {
     json["interfaces"] = found.interfaces;
     json["contact_points"] = found.contact_points;
     json["idle_interfaces"] = found.idle_interfaces;
-    json["warnings"] = scenario.warnings;
+    json["warnings"] = warningsJson(scenario, found.warnings);
     json["provenance"] = provenance(options.common, options.scenario.name());
     printJson(json);
     return kDone;

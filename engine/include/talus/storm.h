@@ -28,7 +28,7 @@ struct StormPoint {
     std::vector<double> strengths;  ///< factors of strength of StormResult::joints
     SearchStatus status = SearchStatus::undecided;
     double factor = 0;         ///< valid when found
-    double low = 0, high = 0;  ///< its bracket
+    double low = 0, high = 0;  ///< its bracket; NaN where it is interpolated
     FailureMode mode = FailureMode::none;
     bool interpolated = false;  ///< between two searches, over the level or the strength
 };
@@ -45,7 +45,7 @@ struct StormResult {
     std::size_t searches = 0;
     double wall_seconds = 0;
     bool interrupted = false;           ///< points without a search are undecided
-    std::vector<std::string> warnings;  ///< of the search with the least factor
+    std::vector<std::string> warnings;  ///< of its input, and of the search with the least factor
 };
 
 /// When the last table of the waters and strengths ends that change [s]; none where they have no table.

@@ -10,6 +10,7 @@
 #include "block_theory/warnings.h"
 #include "build/wet_joints.h"
 #include "checks/plausible.h"
+#include "checks/water_levels.h"
 #include "checks/water_warnings.h"
 #include "measure/natural_order.h"
 #include "model/over_time.h"
@@ -134,6 +135,8 @@ Result<KeyBlockResult> keyBlocks(const Model& model, const Control& control,
         if (auto falls = checks::nothingHolds(model)) errors.push_back(std::move(*falls));
         if (!errors.empty()) return errors;
         result = analyse(*state, parallel, control, settings);
+        for (const Error& doubt : checks::levelsAboveJoints(*state))
+            result.warnings.push_back(doubt.field + ": " + doubt.message);
         if (auto stated = checks::flowAsStated(model, checks::kNothingOpens))
             result.warnings.push_back(std::move(*stated));
         result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

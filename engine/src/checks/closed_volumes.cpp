@@ -20,6 +20,21 @@ constexpr double kSameSides = 0.01;
 // depends on small tilts of the table.
 constexpr double kLeastDip = 10;
 
+// Of the length scale: an elevation given to six digits may stand so far above the walls' end.
+constexpr double kSameLevel = 1e-6;
+
+/// A volume that would run over before anything flows in: no level of a storm or a history is so high.
+std::optional<Error> filledTooHigh(const State& state, const Water& water, const Enclosure& enclosure) {
+    const double filled = levelAt(water, 0);
+    if (filled <= enclosure.runs_over + kSameLevel * state.geometry->length_scale) return std::nullopt;
+    const bool by_elevation = water.kind == Water::Level::elevation;
+    return Error{water.field + (by_elevation ? ".elevation" : ".depth"),
+                 "found a closed volume filled to " + formatted("%.4g", filled) + " m, " +
+                     formatted("%.2g", filled - enclosure.runs_over) +
+                     " m above the level at which it runs over, where its walls end; allowed: at most " +
+                     formatted("%.6g", enclosure.runs_over) + " m"};
+}
+
 std::optional<Error> openVolume(const State& state, std::size_t index) {
     const Water& water = state.geometry->model.waters[index];
     const double filled = levelAt(water, 0);
@@ -32,7 +47,7 @@ std::optional<Error> openVolume(const State& state, std::size_t index) {
                                                   formatted("%g", kLeastDip) + " deg"};
     }
     const auto [less, more] = std::minmax(enclosure.below[0], enclosure.below[1]);
-    if (more - less <= kSameSides * more) return std::nullopt;
+    if (more - less <= kSameSides * more) return filledTooHigh(state, water, enclosure);
     return Error{water.field + ".volume", "found a fissure that is not bounded: walls of " +
                                               formatted("%.4g", more) + " m2 on one side and of " +
                                               formatted("%.4g", less) + " m2 on the other, below the " +
@@ -89,6 +104,30 @@ std::vector<Error> openVolumes(const State& state) {
         if (auto open = openVolume(state, water)) errors.push_back(std::move(*open));
     }
     return errors;
+}
+
+std::vector<Error> undampedVolumes(const Model& model) {
+    if (model.damping.contact > 0 || model.damping.local > 0) return {};
+    for (const Water& water : model.waters)
+        if (water.closed)
+            return {{"damping.contact",
+                     "found 0 with the closed volume " + water.field +
+                         ": friction amplifies the bouncing of blocks that slide, and they may slide farther "
+                         "than energy allows; allowed without this warning: some 1e-6 to 1e-4 s"}};
+    return {};
+}
+
+std::vector<Error> leaksWithoutPressure(const Model& model) {
+    std::vector<Error> doubts;
+    const auto leaks = [](const Water& water) { return water.closed && water.leak_aperture > 0; };
+    if (model.phreatic || model.flow || !std::all_of(model.waters.begin(), model.waters.end(), leaks))
+        return doubts;
+    for (const Water& water : model.waters)
+        doubts.push_back(
+            {water.field + ".leak_aperture",
+             "the joint through which the water leaks has no pressure and counts as dry, because "
+             "no other [[water]] stands in it"});
+    return doubts;
 }
 
 std::vector<std::string> levelsHeld(const Model& model) {

@@ -18,6 +18,13 @@ std::vector<Error> openVolumes(const State& state);
 /// joints' stiffness.
 std::vector<Error> stiffVolumes(const State& state, bool parallel);
 
+/// The first closed volume of a history without dashpots: friction then amplifies the bouncing of the blocks
+/// that slide, until they lift off their beds and slide farther than energy allows.
+std::vector<Error> undampedVolumes(const Model& model);
+
+/// Closed volumes that leak where no other water stands: the joint of the leak has no pressure.
+std::vector<Error> leaksWithoutPressure(const Model& model);
+
 /// One line per closed volume for an analysis that holds its level.
 std::vector<std::string> levelsHeld(const Model& model);
 

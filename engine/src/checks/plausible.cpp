@@ -12,6 +12,7 @@
 #include "checks/closed_volumes.h"
 #include "checks/loose_blocks.h"
 #include "checks/strength_held.h"
+#include "checks/water_levels.h"
 #include "checks/water_warnings.h"
 #include "measure/words.h"
 #include "state/incidence.h"
@@ -350,6 +351,7 @@ std::vector<std::string> doubts(const State& state) {
     add(strongLoads(state));
     add(dilatesTooMuch(model));
     add(dryWaters(state));
+    add(levelsAboveJoints(state));
     add(highWater(model));
     if (auto falls = nothingHolds(model)) all.push_back(std::move(*falls));
     std::vector<std::string> told;

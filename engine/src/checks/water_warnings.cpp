@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "checks/water_levels.h"
 #include "flow/cubic_law.h"
 #include "flow/flow_in.h"
 #include "forces/phreatic.h"
@@ -12,6 +14,7 @@
 #include "model/gravity.h"
 #include "state/block_motion.h"
 #include "talus/angles.h"
+#include "talus/wet_joint_name.h"
 
 namespace talus::checks {
 namespace {
@@ -60,26 +63,33 @@ const char* levelKey(const Water& water) {
     return over_time ? ".levels" : ".depth";
 }
 
+/// A joint derived from one of the file's ("default@18.5deg") is named as that one.
+std::string nameInFile(const Joint& joint) { return joint.name.substr(0, joint.name.find('@')); }
+
 std::string atTilt(const Model& model) {
     const double tilt_deg = degrees(model.gravity.tilt);
     return tilt_deg == 0 ? ""
                          : " (heights along gravity at a tilt of " + formatted("%.4g", tilt_deg) + " deg)";
 }
 
+/// Heights within a nanometre of 0 are 0 but for rounding.
+std::string metres(double height) {
+    constexpr double kNothing = 1e-9;  // [m]
+    return formatted("%.4g", std::abs(height) < kNothing ? 0.0 : height) + " m";
+}
+
 Error doubtOf(const Model& model, const Water& water, const DryWater& dry) {
     const std::string wets_nothing = atTilt(model) + std::string(": ") + kWetsNothing;
-    const std::string stands =
-        "found water up to " + formatted("%.4g", dry.table) + " m, which is not above ";
+    const std::string stands = "found water up to " + metres(dry.table) + ", which is not above ";
     switch (dry.why) {
         case DryWater::Why::no_free_wall:
             break;
         case DryWater::Why::falls_from_nothing:
-            return {water.field + ".daylights", stands + "the joint's upper end, at " +
-                                                    formatted("%.4g", dry.wall) +
-                                                    " m, from where the pressure falls" + wets_nothing};
+            return {water.field + ".daylights", stands + "the joint's upper end, at " + metres(dry.wall) +
+                                                    ", from where the pressure falls" + wets_nothing};
         case DryWater::Why::table_too_low:
-            return {water.field + levelKey(water), stands + "the lowest of its walls on free blocks, at " +
-                                                       formatted("%.4g", dry.wall) + " m" + wets_nothing};
+            return {water.field + levelKey(water),
+                    stands + "the lowest of its walls on free blocks, at " + metres(dry.wall) + wets_nothing};
         case DryWater::Why::no_head:
             return {water.field + levelKey(water),
                     std::string("found heads that leave its walls on free blocks dry: ") + kWetsNothing};
@@ -117,7 +127,7 @@ std::optional<Error> otherEnds(const State& state, std::size_t index) {
     constexpr double kSameEnds = 1e-6;  // of the joint's height
     const Water& water = state.geometry->model.waters[index];
     const bool falls = water.daylight != Water::Daylight::closed || water.kind == Water::Level::head;
-    if (!falls && water.kind != Water::Level::depth) return std::nullopt;
+    if (isNothing(water) || (!falls && water.kind != Water::Level::depth)) return std::nullopt;
     const auto ends = movedEnds(state, index);
     if (!ends) return std::nullopt;
     const double same = kSameEnds * (ends->high_with_fixed - ends->low_with_fixed);
@@ -136,6 +146,25 @@ std::optional<Error> otherEnds(const State& state, std::size_t index) {
 }
 
 }  // namespace
+
+std::vector<Error> wetStrengthOfDryJoints(const Model& model) {
+    std::vector<Error> doubts;
+    const bool has_level =
+        model.phreatic || model.flow || !std::all_of(model.waters.begin(), model.waters.end(), isNothing);
+    if (model.is_remainder || !has_level) return doubts;
+    std::set<std::string> dry, wet;
+    for (const Joint& joint : model.joints) {
+        if (readWetJointName(joint.name))
+            wet.insert(nameInFile(joint));
+        else if (joint.wet_strength_factor != 1)
+            dry.insert(nameInFile(joint));
+    }
+    for (const std::string& name : dry)
+        if (wet.count(name) == 0)
+            doubts.push_back({"joint." + name + ".wet_strength_factor",
+                              "it has no effect, because no [[water]] wets an area of this joint"});
+    return doubts;
+}
 
 std::vector<Error> dryWaters(const State& state) {
     const Model& model = state.geometry->model;
@@ -157,6 +186,23 @@ std::vector<Error> dryWaters(const State& state) {
     return doubts;
 }
 
+namespace {
+
+/// What to look at where water pushes blocks off.
+std::string whyItPushes(const State& state) {
+    if (const auto high = levelsAboveJoints(state); !high.empty())
+        return high.front().field + ": " + high.front().message;
+    if (state.geometry->model.flow)
+        return "Heads of " + state.geometry->model.flow->field +
+               " above the height of a joint's mouth press on its walls up to there: compare the heads with "
+               "the heights of the surface";
+    return "A level water table acts with its full pressure up to where joints daylight. In a slope that "
+           "drains, the table falls towards the face ([[water]] surface), or its pressure has a factor below "
+           "1";
+}
+
+}  // namespace
+
 std::optional<std::string> pushedByWater(const State& built, const std::vector<std::size_t>& falling) {
     if (!built.geometry->model.hasWater() || falling.empty()) return std::nullopt;
     State wet = built;
@@ -173,9 +219,7 @@ std::optional<std::string> pushedByWater(const State& built, const std::vector<s
     if (count == 0) return std::nullopt;
     return "water pushes " + std::to_string(count) + " of the blocks that fall whatever the strength, \"" +
            wet.geometry->model.blocks[worst].name + "\" with " + formatted("%.2g", most) +
-           " times its weight. A level water table acts with its full pressure up to where joints daylight. "
-           "In a slope that drains, the table falls towards the face ([[water]] surface), or its pressure "
-           "has a factor below 1";
+           " times its weight. " + whyItPushes(wet);
 }
 
 std::optional<std::string> pushedAway(const State& state) {

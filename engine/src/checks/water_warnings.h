@@ -16,6 +16,10 @@ namespace talus::checks {
 /// state is as `buildState` gives it
 std::vector<Error> dryWaters(const State& state);
 
+/// Joints whose strength when wet (Joint::wet_strength_factor) has no effect, because no area of them is wet.
+/// Not where the model has no water, or levels of 0 alone. \param model  with its wet joints
+std::vector<Error> wetStrengthOfDryJoints(const Model& model);
+
 /// A horizontal table in a steep slope presses in full where its joints daylight, and pushes blocks off at
 /// any strength.
 /// \param built    the model as it was built, before it is loaded

@@ -314,8 +314,10 @@ void rememberClosedWater(State& state, std::span<const ForceArray> arrays) {
 }
 
 Enclosure enclosureOf(const State& state, std::size_t water, double level) {
-    const WaterTable table{upNow(state), tableHeight(state, water, state.load.tilt).at(level)};
+    const TableHeight heights = tableHeight(state, water, state.load.tilt);
+    const WaterTable table{upNow(state), heights.at(level)};
     Enclosure enclosure;
+    enclosure.runs_over = levelsOf(state, water, heights, table.up).high;
     const Vec3 ahead = aheadOf(state, water);
     enclosure.dip = std::acos(std::min(1.0, std::abs(ahead.dot(table.up))));
     eachWall(state, water, [&](std::size_t w) {

@@ -52,6 +52,7 @@ void rememberClosedWater(State& state, std::span<const ForceArray> arrays);
 struct Enclosure {
     double dip = 0;                 ///< of its first wall [rad]
     std::array<double, 2> below{};  ///< walls of either side below a level [m^2]
+    double runs_over = 0;           ///< level above which it runs over, as the scenario gives levels [m]
 };
 Enclosure enclosureOf(const State& state, std::size_t water, double level);
 

@@ -7,6 +7,7 @@
 
 #include "forces/closed_water.h"
 #include "forces/contact_forces.h"
+#include "forces/water_level.h"
 #include "forces/water_table.h"
 #include "forces/wet_walls.h"
 #include "geometry/pressure.h"
@@ -17,8 +18,9 @@
 namespace talus {
 namespace {
 
-constexpr double kStalePose = 1e-7;  // of the block's radius: a wall that moved less keeps its wrench
-constexpr double kSharedWet = 1e-9;  // of the smaller wet part: more in common is an overlap
+constexpr double kStalePose = 1e-7;   // of the block's radius: a wall that moved less keeps its wrench
+constexpr double kSameHeight = 1e-9;  // of the length scale: heights that differ by less differ by rounding
+constexpr double kSharedWet = 1e-9;   // of the smaller wet part: more in common is an overlap
 
 LinearPressure pressureOnPatch(const State& state, std::size_t w, const PressureField& field,
                                const Mat3& turn, const Vec3& position) {
@@ -217,6 +219,25 @@ std::vector<Error> overlapErrors(State& state) {
     return sharedWetErrors(state);
 }
 
+/// Of a water table: where it stands along gravity. \pre the pressure rises with depth
+double heightOfTable(const State& state, const PressureField& field, const Vec3& down) {
+    const Vec3 point = -field.p0 / field.gradient.squaredNorm() * field.gradient;
+    return -down.dot(point + state.geometry->origin);
+}
+
+/// Whether walls look at each other, as the two sides of a joint do.
+bool hasTwoSides(const State& state, std::size_t water) {
+    std::optional<Vec3> first;
+    for (std::size_t w = state.wet.water_begin[water]; w < state.wet.water_begin[water + 1]; ++w) {
+        const auto b = static_cast<std::size_t>(state.wet.block[w]);
+        const Mat3 turn = state.geometry->initial_orientation.matrix(b);
+        const Vec3 normal = turn * state.wet.e1.get(w).cross(state.wet.e2.get(w));
+        if (!first) first = normal;
+        if (first->dot(normal) < 0) return true;
+    }
+    return false;
+}
+
 /// Whether an interface is bounded by a wall of this water.
 bool bounds(const State& state, std::size_t water, std::size_t i) {
     const Water& description = state.geometry->model.waters[water];
@@ -299,11 +320,28 @@ std::optional<DryWater> whyDry(const State& state, std::size_t water) {
     }
     if (lowest == kInfinity) return DryWater{DryWater::Why::no_free_wall};
     if (field.gradient.isZero()) return DryWater{DryWater::Why::no_head};
-    const double table = height(-field.p0 / field.gradient.squaredNorm() * field.gradient);
+    const double table = heightOfTable(state, field, down);
     const double upper_end = height(endsOf(state, water, down).high);
-    if (field.most && table <= upper_end && table > lowest)
+    const double same = kSameHeight * state.geometry->length_scale;
+    if (field.most && table <= upper_end + same && table > lowest + same)
         return DryWater{DryWater::Why::falls_from_nothing, table, upper_end};
     return DryWater{DryWater::Why::table_too_low, table, lowest};
+}
+
+std::optional<JointLevel> jointLevel(const State& state, std::size_t water) {
+    const Water& description = state.geometry->model.waters[water];
+    if (description.kind == Water::Level::head || !hasTwoSides(state, water)) return std::nullopt;
+    Load load = atHighestLevel(state, water);
+    load.water_share = 1;
+    const PressureField field = pressureField(state, water, load);
+    if (field.gradient.isZero()) return std::nullopt;
+    const Vec3 down = downward(state.geometry->model.gravity, load.tilt);
+    Water all = description;
+    all.ends_at_free_blocks = false;
+    const JointEnds ends = endsOf(state, water, down, {*state.geometry, all});
+    const auto height = [&](const Vec3& x) { return -down.dot(x + state.geometry->origin); };
+    return JointLevel{levelNow(state, water, load.time), heightOfTable(state, field, down), height(ends.low),
+                      height(ends.high)};
 }
 
 std::optional<MovedEnds> movedEnds(const State& state, std::size_t water) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "build/wet_joints.h"
+#include "checks/closed_volumes.h"
 #include "checks/loose_blocks.h"
 #include "checks/passing.h"
 #include "checks/plausible.h"
@@ -374,6 +375,8 @@ std::vector<Error> look(State& built, bool parallel) {
     if (!errors.empty()) return errors;
     for (std::string& doubt : checks::doubtsOfHistory(built, parallel))
         built.warnings.push_back(std::move(doubt));
+    for (const Error& doubt : checks::undampedVolumes(built.geometry->model))
+        built.warnings.push_back(doubt.field + ": " + doubt.message);
     return {};
 }
 

@@ -8,6 +8,7 @@
 #include "build/wet_joints.h"
 #include "checks/plausible.h"
 #include "checks/strength_held.h"
+#include "checks/water_levels.h"
 #include "checks/water_warnings.h"
 #include "forces/sum.h"
 #include "law/joint_laws.h"
@@ -415,6 +416,8 @@ Result<LimitResult> analyseModel(const Model& model, Varied load, const Control&
             if (const std::string why = whyNot(state, assembly); !why.empty()) return Error{"", why};
             LimitResult result = analyse(state, assembly, load, control, settings);
             result.warnings = checks::strengthsHeld(model);
+            for (const Error& doubt : checks::levelsAboveJoints(state))
+                result.warnings.push_back(doubt.field + ": " + doubt.message);
             if (auto stated = checks::flowAsStated(model, checks::kNothingOpens))
                 result.warnings.push_back(std::move(*stated));
             return result;

@@ -7,7 +7,9 @@
 #include <map>
 
 #include "build/build.h"
+#include "checks/closed_volumes.h"
 #include "checks/plausible.h"
+#include "checks/water_levels.h"
 #include "forces/closed_water.h"
 #include "measure/words.h"
 #include "search/filling.h"
@@ -87,6 +89,8 @@ class StormSearch {
         if (isStopped(control_)) return {};
         if (!state) return state.errors();
         if (auto errors = checks::implausible(*state); !errors.empty()) return errors;
+        tell(checks::levelsAboveJoints(*state));
+        tell(checks::leaksWithoutPressure(model_));
         const auto levels = search::levelsOver(*state, times, control_);
         result_.at_end = closedWaterReports(*state);
         std::map<std::vector<double>, std::size_t> distinct;  // ascending by the first level, then the second
@@ -124,7 +128,7 @@ class StormSearch {
         if (result_.least) {
             Stand& stand = stands_[stand_at_[*result_.least]];
             result_.moving_blocks = std::move(stand.moving_blocks);
-            result_.warnings = std::move(stand.warnings);
+            for (std::string& warning : stand.warnings) tell(std::move(warning));
         }
         if (const auto first = firstFailing()) result_.failure_time = crossingBefore(*first);
         result_.interrupted = isStopped(control_);
@@ -132,6 +136,14 @@ class StormSearch {
     }
 
  private:
+    void tell(std::string warning) {
+        auto& told = result_.warnings;
+        if (std::find(told.begin(), told.end(), warning) == told.end()) told.push_back(std::move(warning));
+    }
+    void tell(const std::vector<Error>& doubts) {
+        for (const Error& doubt : doubts) tell(doubt.field + ": " + doubt.message);
+    }
+
     bool goesOn() const { return errors_.empty() && !isStopped(control_); }
 
     static std::vector<double> valuesAt(const StormPoint& point) {
@@ -254,8 +266,8 @@ class StormSearch {
             StormPoint& found = stands_[k].found;
             found.status = SearchStatus::found;
             found.factor = std::lerp(a.factor, b.factor, share);
-            found.low = std::lerp(a.low, b.low, share);
-            found.high = std::lerp(a.high, b.high, share);
+            // The line may lie off the factor by more than the brackets of its ends are wide.
+            found.low = found.high = std::numeric_limits<double>::quiet_NaN();
             found.mode = (share < 0.5 ? a : b).mode;
             found.interpolated = true;
         }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -20,7 +21,29 @@ namespace {
 struct Target {
     Interval allowed;
     std::function<bool(Scenario&, double)> put;
+    UnitMixUp mix_up{};
 };
+
+/// Warnings of another value give way to those of this one.
+void renew(std::vector<std::string>& warnings, const std::vector<std::string>& before,
+           std::vector<std::string> now) {
+    const auto is_old = [&](const std::string& warning) {
+        return std::find(before.begin(), before.end(), warning) != before.end();
+    };
+    warnings.erase(std::remove_if(warnings.begin(), warnings.end(), is_old), warnings.end());
+    warnings.insert(warnings.end(), std::move_iterator(now.begin()), std::move_iterator(now.end()));
+}
+
+/// Of a number that looks like another unit.
+void renewMixUp(Scenario& scenario, const std::string& field, double value, const UnitMixUp& mix_up) {
+    const std::string begin = field + ": found ";
+    std::vector<std::string> before, now;
+    for (const std::string& warning : scenario.warnings)
+        if (warning.compare(0, begin.size(), begin) == 0) before.push_back(warning);
+    if (auto doubt = mixUpWarning(field, numberText(value), value, mix_up); !doubt.empty())
+        now.push_back(std::move(doubt));
+    renew(scenario.warnings, before, std::move(now));
+}
 
 bool isGiven(const Scenario& scenario, const std::string& field) { return scenario.places.count(field) > 0; }
 
@@ -52,23 +75,29 @@ std::optional<Target> jointTarget(const Scenario& scenario, const JointField& fi
         origins[j].is_mixed)
         return std::nullopt;
     const JointProperty& property = kJointProperties[*p];
-    return Target{property.allowed, [j, p = *p](Scenario& changed, double value) {
-                      changed.model.joints[j].*kJointProperties[p].value = value * kJointProperties[p].toSi();
-                      changed.joint_origins[j].given.set(p);
-                      settle(changed, j);
-                      return true;
-                  }};
+    const auto put = [j, p = *p](Scenario& changed, double value) {
+        Joint& own = changed.model.joints[j];
+        const auto before = hardeningOf(own);
+        own.*kJointProperties[p].value = value * kJointProperties[p].toSi();
+        changed.joint_origins[j].given.set(p);
+        settle(changed, j);
+        renew(changed.warnings, before, hardeningOf(own));
+        return true;
+    };
+    return Target{property.allowed, put, property.mix_up};
 }
 
 std::optional<Target> materialTarget(const Scenario& scenario, const std::string& name) {
     const auto found = std::find(scenario.materials.begin(), scenario.materials.end(), name);
     if (found == scenario.materials.end()) return std::nullopt;
     const auto material = static_cast<std::int32_t>(found - scenario.materials.begin());
-    return Target{kDensity, [material](Scenario& changed, double value) {
+    return Target{kDensity,
+                  [material](Scenario& changed, double value) {
                       for (Block& block : changed.model.blocks)
                           if (block.material == material) block.density = value;
                       return true;
-                  }};
+                  },
+                  kDensityMixUp};
 }
 
 /// The number of one of the fields of a table; `owner` finds what holds it.
@@ -76,10 +105,12 @@ template <class Fields, class Owner>
 std::optional<Target> numberTarget(const Fields& fields, const std::string& key, const Owner& owner) {
     for (const auto& field : fields)
         if (field.key == key)
-            return Target{field.allowed, [field, owner](Scenario& changed, double value) {
+            return Target{field.allowed,
+                          [field, owner](Scenario& changed, double value) {
                               owner(changed.model).*field.value = value * field.toSi();
                               return true;
-                          }};
+                          },
+                          field.mix_up};
     return std::nullopt;
 }
 
@@ -270,7 +301,9 @@ bool canOverride(const Scenario& scenario, std::string_view field) {
 
 bool applyOverride(Scenario& scenario, std::string_view field, double value) {
     const auto target = scenario::targetOf(scenario, field);
-    return target && target->allowed.contains(value) && target->put(scenario, value);
+    if (!target || !target->allowed.contains(value) || !target->put(scenario, value)) return false;
+    scenario::renewMixUp(scenario, std::string(field), value, target->mix_up);
+    return true;
 }
 
 bool overridePairs(Scenario& scenario, const std::vector<PairOverride>& overrides) {

@@ -98,19 +98,6 @@ JointProperties readStrength(Report& report, TableReader& table, Joint& joint) {
     return readGiven(table, joint);
 }
 
-/// A joint that gets stronger as it slips.
-void warnOfHardening(Report& report, const TableReader& table, const Joint& joint) {
-    for (const auto& [peak, residual] : {std::pair{&Joint::cohesion, &Joint::residual_cohesion},
-                                         std::pair{&Joint::friction, &Joint::residual_friction}}) {
-        const JointProperty &of_peak = propertyOf(peak), &of_residual = propertyOf(residual);
-        if (!of_residual.laws.has(joint.law) || !of_peak.laws.has(joint.law)) continue;
-        if (!(joint.*residual > joint.*peak)) continue;
-        report.warn(table.fieldOf(of_residual.key) + ": " + numberText(joint.*residual / of_residual.toSi()) +
-                    " is more than " + std::string(of_peak.key) + ", " +
-                    numberText(joint.*peak / of_peak.toSi()) + ": the joint gets stronger as it slips");
-    }
-}
-
 }  // namespace
 
 void NameList::add(const std::string& name) {
@@ -211,6 +198,22 @@ std::int32_t Joints::withOverrides(std::int32_t base, TableReader& table, const 
     return derive(base, JointOrigin::Kind::interface, given, std::move(joint));
 }
 
+std::vector<std::string> hardeningOf(const Joint& joint) {
+    std::vector<std::string> warnings;
+    const std::string table = toml::joinField("joint", joint.name);
+    for (const auto& [peak, residual] : {std::pair{&Joint::cohesion, &Joint::residual_cohesion},
+                                         std::pair{&Joint::friction, &Joint::residual_friction}}) {
+        const JointProperty &of_peak = propertyOf(peak), &of_residual = propertyOf(residual);
+        if (!of_residual.laws.has(joint.law) || !of_peak.laws.has(joint.law)) continue;
+        if (!(joint.*residual > joint.*peak)) continue;
+        warnings.push_back(toml::joinField(table, of_residual.key) + ": " +
+                           numberText(joint.*residual / of_residual.toSi()) + " is more than " +
+                           std::string(of_peak.key) + ", " + numberText(joint.*peak / of_peak.toSi()) +
+                           ": the joint gets stronger as it slips");
+    }
+    return warnings;
+}
+
 const std::vector<std::string>& jointKeys() {
     static const std::vector<std::string> keys = keysOf(kJointProperties);
     return keys;
@@ -241,7 +244,8 @@ Joints readJoints(Report& report, TableReader& root) {
             given = readStrength(report, table, joint);
         }
         joints.add(std::move(joint), given);
-        if (report.clean()) warnOfHardening(report, table, joints.all().back());
+        if (!report.clean()) continue;
+        for (std::string& warning : hardeningOf(joints.all().back())) report.warn(std::move(warning));
     }
     return joints;
 }

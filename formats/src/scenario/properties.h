@@ -75,6 +75,9 @@ class Joints {
     std::map<std::pair<std::int32_t, long>, std::int32_t> bridges_;
 };
 
+/// Warnings that a joint of the file gets stronger as it slips, by the field of its residual strength.
+std::vector<std::string> hardeningOf(const Joint& joint);
+
 /// Keys of a joint's properties.
 const std::vector<std::string>& jointKeys();
 

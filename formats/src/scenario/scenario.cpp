@@ -129,8 +129,11 @@ class ScenarioReader {
         for (std::size_t i = 0; i < waters.size(); ++i) {
             if (waters[i].where != WaterEntry::Where::rock_joint) continue;
             const auto walls_of = [&](std::size_t joint, std::optional<std::int64_t> plane) -> JointWalls {
+                const auto& sets = rock_->description.sets;
+                const auto& singles = rock_->description.singles;
                 return {jointWalls(*rock_, *rock_blocks_, joint, plane, firstRockBlock()),
-                        wetOutline(*rock_, joint)};
+                        wetOutline(*rock_, joint),
+                        joint < sets.size() ? sets[joint].name : singles[joint - sets.size()].name};
             };
             walls[i].joint = walls_of(waters[i].rock_joint, waters[i].plane);
             if (waters[i].crack) walls[i].crack = walls_of(*waters[i].crack, std::nullopt);

@@ -48,6 +48,7 @@ std::vector<WaterEntry> readWaters(Report& report, TableReader& root, const Wate
 struct JointWalls {
     std::vector<WetFace> faces{};
     std::vector<Vec3> outline{};  ///< Water::outline
+    std::string name{};           ///< of the joint
 };
 struct RockWalls {
     JointWalls joint{}, crack{};

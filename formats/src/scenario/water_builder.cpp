@@ -87,12 +87,18 @@ void fill(Report& report, const WaterEntry& entry, const RockWalls& walls, Model
     if (!entry.fills_crack_alone) heights.add(model, up, walls.joint);
     if (entry.crack) heights.add(model, up, walls.crack);
     if (heights.low > heights.high) {
-        report.add(entry.place, water.field + ".percent_filled",
-                   "found a joint that bounds no free block, allowed: one that does");
+        const JointWalls& filled = entry.fills_crack_alone ? walls.crack : walls.joint;
+        const char* why =
+            filled.faces.empty() ? ", which cuts no block" : ", whose walls are all on fixed blocks";
+        report.add(
+            entry.place, water.field + ".percent_filled",
+            "found the joint " + quoted(filled.name) + why + "; allowed: a joint that bounds a free block");
         return;
     }
     water.kind = Water::Level::elevation;
     water.level = {{0, heights.low + *entry.filled * (heights.high - heights.low)}};
+    // As an elevation, rounding would decide whether it wets the lowest points.
+    if (*entry.filled == 0) water.kind = Water::Level::depth, water.level = {{0, 0.0}};
     if (!entry.crack) return;
     Water crack = water;
     crack.daylight = Water::Daylight::closed;

@@ -47,7 +47,18 @@ void askNumbers(Report& report, const std::string& field, const Interval& range,
     ask(report, elementField(field, 0), [&] { return numberIn(range); });
 }
 
+/// "; is it in UNIT?", or nothing.
+std::string meantUnit(double value, const UnitMixUp& mix_up) {
+    return mix_up.looksLike(value) ? "; is it in " + std::string(mix_up.unit) + "?" : std::string();
+}
+
 }  // namespace
+
+std::string mixUpWarning(const std::string& field, const std::string& found, double value,
+                         const UnitMixUp& mix_up) {
+    const std::string meant = meantUnit(value, mix_up);
+    return meant.empty() ? meant : field + ": found " + found + meant;
+}
 
 std::string allowedText(const Interval& interval) {
     const auto& [min, max, open_min, open_max] = interval;
@@ -72,15 +83,14 @@ std::optional<double> readNumber(Report& report, Node node, const std::string& f
         return std::nullopt;
     }
     const double value = node.number();
-    const std::string found = "found " + valueText(node);
-    const std::string meant =
-        mix_up.looksLike(value) ? "; is it in " + std::string(mix_up.unit) + "?" : std::string();
+    const std::string found = valueText(node);
     if (range.contains(value)) {
-        if (!meant.empty()) report.warn(field + ": " + found + meant);
+        if (auto doubt = mixUpWarning(field, found, value, mix_up); !doubt.empty())
+            report.warn(std::move(doubt));
         return value;
     }
     const std::string allowed = std::isfinite(value) ? allowedText(range) : "a finite number";
-    report.add(node.place(), field, found + ", allowed: " + allowed + meant);
+    report.add(node.place(), field, "found " + found + ", allowed: " + allowed + meantUnit(value, mix_up));
     return std::nullopt;
 }
 

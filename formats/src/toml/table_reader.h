@@ -39,6 +39,10 @@ struct FieldNode {
     Node node;
 };
 
+/// "FIELD: found VALUE; is it in UNIT?" of a number that is allowed; empty where it looks like no other unit.
+std::string mixUpWarning(const std::string& field, const std::string& found, double value,
+                         const UnitMixUp& mix_up);
+
 // One node each; `field` names it in messages. A number that looks like another unit is reported so: beside
 // the fault, or as a warning where it is allowed.
 std::optional<double> readNumber(Report& report, Node node, const std::string& field, const Interval& range,

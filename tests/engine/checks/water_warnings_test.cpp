@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "build/build.h"
+#include "checks/closed_volumes.h"
+#include "checks/water_levels.h"
 #include "support/models.h"
 
 using namespace talus;
@@ -29,6 +31,14 @@ Water behind(const Model& model) {
 std::vector<std::string> told(const Model& model) {
     std::vector<std::string> all;
     for (const Error& doubt : checks::dryWaters(*buildState(model, false)))
+        all.push_back(doubt.field + ": " + doubt.message);
+    return all;
+}
+
+std::vector<std::string> levelsTold(Model model, const std::vector<Water>& waters) {
+    model.waters = waters;
+    std::vector<std::string> all;
+    for (const Error& doubt : checks::levelsAboveJoints(*buildState(model, false)))
         all.push_back(doubt.field + ": " + doubt.message);
     return all;
 }
@@ -117,6 +127,88 @@ TEST_SUITE("checks") {
         CHECK(told(model).empty());
         model.gravity.tilt = radians(30);  // the key's foot at x = 1 stands at sin(30) + cos(30)
         checkTold(model, "water[0].elevation", "at 1.366 m (heights along gravity at a tilt of 30 deg)");
+    }
+
+    TEST_CASE("a level above the joint that holds it names level, upper end and difference") {
+        Model model = bench();  // the joint ends at 4 m
+        Water water = behind(model);
+        water.level = {{0, 4.0}};
+        CHECK(levelsTold(model, {water}).empty());
+        water.level = {{0, 1.0}, {1, 5.5}, {2, 0.0}};
+        auto all = levelsTold(model, {water});
+        REQUIRE(all.size() == 1);
+        CHECK(
+            all[0].find("water[0]: found a depth of 5.5 m, so that the water stands 1.5 m above the joint's "
+                        "upper end: at 5.5 m instead of at most 4 m") == 0);
+        water.kind = Water::Level::elevation;
+        water.level = {{0, 4.5}};
+        all = levelsTold(model, {water});
+        REQUIRE(all.size() == 1);
+        CHECK(all[0].find("a level of 4.5 m, so that the water stands 0.5 m above") != std::string::npos);
+        model.gravity.tilt = radians(30);  // the wall's top at x = 1 stands at sin(30) + 4 cos(30) = 3.964
+        all = levelsTold(model, {water});
+        REQUIRE(all.size() == 1);
+        CHECK(all[0].find("0.5359 m above the joint's upper end") != std::string::npos);
+    }
+
+    TEST_CASE("a reservoir may stand above the face that it presses on") {
+        Model model = bench();
+        CHECK(levelsTold(model, {waterOn(model, 3, -Vec3::UnitX(), 9)}).empty());
+    }
+
+    TEST_CASE("a level above one joint may be that of another that reaches so high") {
+        Model model = bench();
+        addBox(model, "top", {0, 0, 3}, {1, 1, 2});
+        Water low = behind(model), high = behind(model);
+        low.kind = high.kind = Water::Level::elevation;
+        low.pair = {{3, 2}}, low.walls.clear();  // key and wall, up to 3 m
+        high.pair = {{4, 2}}, high.walls.clear(), high.field = "water[1]";
+        low.level = high.level = {{0, 3.5}};
+        CHECK(levelsTold(model, {low}).size() == 1);
+        CHECK(levelsTold(model, {low, high}).empty());
+    }
+
+    TEST_CASE("strength when wet has no effect where the joint is dry") {
+        Model model = bench();
+        model.waters = {behind(model)};
+        model.waters[0].level = {{0, 1.5}};
+        CHECK(checks::wetStrengthOfDryJoints(model).empty());
+        model.joints[0].wet_strength_factor = 0.5;
+        model.joints[0].name = "clay@18deg";
+        const auto doubts = checks::wetStrengthOfDryJoints(model);
+        REQUIRE(doubts.size() == 1);
+        CHECK(doubts[0].field == "joint.clay.wet_strength_factor");
+        model.joints.push_back(model.joints[0]);
+        model.joints[1].name = "clay@18deg@0.25wet";
+        CHECK(checks::wetStrengthOfDryJoints(model).empty());
+        model.joints.pop_back();
+        model.waters[0].level = {{0, 0.0}};
+        CHECK(checks::wetStrengthOfDryJoints(model).empty());
+    }
+
+    TEST_CASE("a closed volume in a history without dashpots is told of") {
+        Model model = bench();
+        model.waters = {behind(model)};
+        CHECK(checks::undampedVolumes(model).empty());
+        model.waters[0].closed = true;
+        REQUIRE(checks::undampedVolumes(model).size() == 1);
+        CHECK(checks::undampedVolumes(model)[0].field == "damping.contact");
+        model.damping.mass = 45;
+        CHECK(checks::undampedVolumes(model).size() == 1);
+        model.damping.contact = 1e-5;
+        CHECK(checks::undampedVolumes(model).empty());
+    }
+
+    TEST_CASE("a leak without other water is told of") {
+        Model model = bench();
+        model.waters = {behind(model)};
+        model.waters[0].closed = true;
+        CHECK(checks::leaksWithoutPressure(model).empty());
+        model.waters[0].leak_aperture = 1e-4;
+        REQUIRE(checks::leaksWithoutPressure(model).size() == 1);
+        CHECK(checks::leaksWithoutPressure(model)[0].field == "water[0].leak_aperture");
+        model.waters.push_back(behind(model));
+        CHECK(checks::leaksWithoutPressure(model).empty());
     }
 
     TEST_CASE("a water table below all free blocks") {

@@ -71,6 +71,8 @@ TEST_SUITE("engine") {
             const double exact = slope.factorAt(point.levels[0]);
             CHECK(point.factor == doctest::Approx(exact).epsilon(0.002));
             CHECK((point.mode == FailureMode::sliding));
+            CHECK(std::isnan(point.low) == point.interpolated);
+            CHECK(std::isnan(point.high) == point.interpolated);
         }
         CHECK(result.searches < 20);  // of 33 levels
         REQUIRE(result.least);

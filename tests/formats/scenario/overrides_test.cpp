@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -87,6 +88,14 @@ Scenario rewritten(const std::string& text, const std::vector<std::pair<std::str
     return *scenario;
 }
 
+/// In any order: the reader goes by the file, overrides by the order in which they come.
+std::string listOf(std::vector<std::string> warnings) {
+    std::sort(warnings.begin(), warnings.end());
+    std::string list;
+    for (const std::string& warning : warnings) list += warning + "\n";
+    return list;
+}
+
 void checkOverrides(const std::string& text, const std::vector<std::pair<std::string, double>>& values) {
     Scenario scenario = readGood(text);
     for (const auto& [field, value] : values) {
@@ -95,7 +104,9 @@ void checkOverrides(const std::string& text, const std::vector<std::pair<std::st
         CHECK(canOverride(scenario, field));
         CHECK(applyOverride(scenario, field, value));
     }
-    checkSame(scenario.model, rewritten(text, values).model);
+    const Scenario read = rewritten(text, values);
+    checkSame(scenario.model, read.model);
+    CHECK(listOf(scenario.warnings) == listOf(read.warnings));
 }
 
 /// In the middle of what the property may be: as it stands, times 1e9 for stiffnesses, or over 100 for
@@ -123,6 +134,21 @@ std::string slope() {
 }
 
 }  // namespace
+
+TEST_CASE("warnings are those of the values put in, not of those of the file") {
+    const std::string text = joint("default", "friction_deg = 30\ncohesion = 7\nresidual_cohesion = 5") +
+                             material() + stack() + "[[water]]\nfissure = 1\ndepth = 0.05\n";
+    REQUIRE(readGood(text).warnings.empty());
+    const std::string cohesion = "joint.default.cohesion", density = "water[0].density";
+    for (const auto& values : std::vector<std::vector<std::pair<std::string, double>>>{
+             {{cohesion, 3}}, {{cohesion, 3}, {cohesion, 4}}, {{density, 1}}, {{density, 1}, {density, 2}}}) {
+        Scenario scenario = readGood(text);
+        for (const auto& [field, value] : values) CHECK(applyOverride(scenario, field, value));
+        CHECK(scenario.warnings.size() == 1);
+        checkOverrides(text, values);
+    }
+    checkOverrides(text, {{cohesion, 3}, {cohesion, 8}, {density, 1}, {density, 1020}});
+}
 
 TEST_CASE("each property of each joint, alone and after others") {
     for (const std::string name : {"weak", "default", "bed"})

@@ -67,6 +67,28 @@ TEST_CASE("a sample without free blocks counts as stable, and says so") {
                     "single_joint[0] (A) cuts no block") != std::string::npos);
 }
 
+TEST_CASE("a batch tells the warnings of its inputs and of its runs") {
+    std::string scenario = blockScenario(5, 20);
+    scenario.insert(scenario.find("friction_deg"), "cohesion = 9e3\nresidual_cohesion = 2e3\n");
+    const BatchFolder batch("[[grid]]\nfield = \"joint.default.cohesion\"\nvalues = [0, 1e3, 9e3]\n",
+                            "safety-factor", scenario);
+    const Outcome text = runTalus({"batch", batch.path, "-o", batch.out(), "--quiet"});
+    REQUIRE(text.exit_code == 0);
+    const std::string said = "joint.default.residual_cohesion: 2000 is more than cohesion, ";
+    CHECK(text.out.find("warning: 2 of 3 runs, with the numbers of run 0: " + said + "0: ") !=
+          std::string::npos);
+    const Json warnings = batch.run().json()["warnings"];
+    REQUIRE_FALSE(warnings.empty());  // that of lost cohesion comes after it
+    CHECK(warnings[0]["runs"] == 2);
+    CHECK(warnings[0]["first_run"] == 0);
+    CHECK(warnings[0]["numbers_differ"] == true);
+    CHECK(nlohmann::json::parse(contentOf(batch.out() + "/summary.json"))["warnings"] == warnings);
+    CHECK(contentOf(batch.out() + "/report.html").find(said) != std::string::npos);
+    const std::string results = batch.out() + "/results.csv";
+    CHECK(cellOf(results, 1, "warnings").find(said + "1000: ") == 0);
+    CHECK(cellOf(results, 2, "warnings").find(said) == std::string::npos);
+}
+
 TEST_CASE("the rows are those of the single commands, for any number of threads") {
     const BatchFolder batch(draws(6));
     REQUIRE(batch.run({"--threads", "1"}).exit_code == 0);

@@ -139,7 +139,7 @@ TEST_CASE("storm: what it does not take") {
         CHECK(outcome.err.find(message) != std::string::npos);
     };
     refused(rainy("rain = 10\n"), {}, "found rain without catchment");
-    refused(rainy("rain = 10\ncatchment = 5\n"), {}, "found no table over time");
+    refused(rainy("rain = 10\ncatchment = 5\n"), {}, "--duration-s: found no table over time");
     refused(rainy("rain = [[0, -1], [9, 0]]\ncatchment = 5\n"), {}, "found -1, allowed: at least 0");
     refused(rainy(), {"--step-s", "0"}, "--step-s");
     refused(rainy(), {"--step-s", "0.01"}, "allowed: at least");

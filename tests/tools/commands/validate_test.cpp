@@ -90,7 +90,8 @@ TEST_CASE("values that are allowed but probably unintended give a warning") {
     const auto warned = [&](const std::string& scenario, const std::string& hint) {
         const Outcome outcome = runTalus({"validate", folder.write("s.toml", scenario)});
         CHECK(outcome.exit_code == 0);
-        CHECK(outcome.err.find(hint) != std::string::npos);
+        CHECK(outcome.out.find(hint) != std::string::npos);
+        CHECK(outcome.err.empty());
     };
     warned(blockScenario(0, 0.5), "is it in radians?");
     std::string soft = blockScenario(0, 20);

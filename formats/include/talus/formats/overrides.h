@@ -1,7 +1,7 @@
 #pragma once
 // Values put into a scenario's model in place of those its file gave, without reading it again. The model is
 // then the one that reading the file with these values gives, to the bit: properties that follow others
-// follow them here too.
+// follow them here too. Warnings are those of these values.
 //
 // Fields whose values a model holds directly: joint.NAME.KEY (all properties), material.NAME.density,
 // gravity.magnitude and .tilt_deg, damping.KEY, and water[i]'s depth, elevation, head[k], density and
