@@ -86,6 +86,7 @@ struct Water {
     /// In a joint of a rock mass: depths, heads and falling pressures count from the ends of the part that
     /// bounds free or driven blocks. The depth of the cut into fixed rock then changes nothing.
     bool ends_at_free_blocks = false;
+    bool is_share = false;  ///< its level was given as a share of its joint's height
     /// instead: the interface of two blocks, both walls
     std::optional<std::pair<std::int32_t, std::int32_t>> pair;
     /// In time histories the level follows from the volume that the walls enclose

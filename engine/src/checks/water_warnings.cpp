@@ -122,12 +122,14 @@ bool isDry(const State& state, const PhreaticSurface& surface) {
     return true;
 }
 
-/// Where an answer differs from that with the joint's ends at all its walls.
+/// Where an answer differs from that with the joint's ends at all its walls. A share of a joint's height
+/// never meant anything else.
 std::optional<Error> otherEnds(const State& state, std::size_t index) {
     constexpr double kSameEnds = 1e-6;  // of the joint's height
     const Water& water = state.geometry->model.waters[index];
     const bool falls = water.daylight != Water::Daylight::closed || water.kind == Water::Level::head;
-    if (isNothing(water) || (!falls && water.kind != Water::Level::depth)) return std::nullopt;
+    if (isNothing(water) || water.is_share || (!falls && water.kind != Water::Level::depth))
+        return std::nullopt;
     const auto ends = movedEnds(state, index);
     if (!ends) return std::nullopt;
     const double same = kSameEnds * (ends->high_with_fixed - ends->low_with_fixed);
@@ -162,7 +164,7 @@ std::vector<Error> wetStrengthOfDryJoints(const Model& model) {
     for (const std::string& name : dry)
         if (wet.count(name) == 0)
             doubts.push_back({"joint." + name + ".wet_strength_factor",
-                              "it has no effect, because no [[water]] wets an area of this joint"});
+                              "it has no effect, because no water wets an area of this joint"});
     return doubts;
 }
 

@@ -95,6 +95,7 @@ void fill(Report& report, const WaterEntry& entry, const RockWalls& walls, Model
             "found the joint " + quoted(filled.name) + why + "; allowed: a joint that bounds a free block");
         return;
     }
+    water.is_share = true;
     water.kind = Water::Level::elevation;
     water.level = {{0, heights.low + *entry.filled * (heights.high - heights.low)}};
     // As an elevation, rounding would decide whether it wets the lowest points.
