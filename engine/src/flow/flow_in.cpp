@@ -62,16 +62,17 @@ std::optional<Error> doubtOf(const std::vector<std::int32_t>& unreached, const N
 class Answer {
  public:
     Answer(const State& state, const Flow& flow, const Network& network, const Conditions& conditions,
-           const std::vector<double>& aperture)
+           const std::vector<Corners>& aperture)
         : model_(state.geometry->model),
           origin_(state.geometry->origin),
           flow_(flow),
           network_(network),
           conditions_(conditions),
           unit_weight_(flow.density * model_.gravity.magnitude) {
-        for (const double b : aperture)
-            transmissivity_.push_back(transmissivity(unit_weight_, b, flow.viscosity));
-        into_.aperture = aperture;
+        for (const Corners& b : aperture) {
+            transmissivity_.push_back({alongSide(b[0], b[1]), alongSide(b[1], b[2]), alongSide(b[2], b[0])});
+            into_.aperture.push_back((b[0] + b[1] + b[2]) / 3);
+        }
     }
 
     Result<SteadyFlow> solve() {
@@ -92,16 +93,20 @@ class Answer {
     }
 
  private:
+    double alongSide(double from, double to) const {
+        return taperedTransmissivity(unit_weight_, from, to, flow_.viscosity);
+    }
+
     std::string faultOf(const Heads& heads) const {
         const std::string tried = " after " + std::to_string(heads.iterations) +
                                   " iterations; the last one left " + formatted("%.2g", heads.residual) +
                                   " of the inflow unbalanced at a node; allowed: ";
-        const auto [least, most] = std::minmax_element(transmissivity_.begin(), transmissivity_.end());
+        const auto [least, most] = std::ranges::minmax(into_.aperture);
         const std::string apertures = "apertures that differ less; the largest is " +
-                                      formatted("%.2g", std::cbrt(*most / *least)) + " times the smallest";
+                                      formatted("%.2g", most / least) + " times the smallest";
         if (!flow_.free_surface) return "found no heads that balance the flow" + tried + apertures;
         const std::string finer = "a finer network (flow.refinements), or free_surface = false";
-        return "found no free surface" + tried + finer + (*most > *least ? "; or " + apertures : "");
+        return "found no free surface" + tried + finer + (most > least ? "; or " + apertures : "");
     }
 
     void addNodes() {
@@ -132,16 +137,19 @@ class Answer {
 
     bool isDry(std::size_t t) const { return flow::isDry(network_, conditions_, t); }
 
-    /// Per width of the joint: -T k grad h.
+    /// Per width of the joint: the flow along each side, over the triangle's area. With one aperture it is
+    /// -T k grad h, because sum of c_ij (x_j - x_i)(x_j - x_i)^T is the area times the identity.
     Vec3 dischargeIn(std::size_t t) const {
         if (isDry(t)) return Vec3::Zero();
         const Gradients g = gradientsOf(network_, t);
-        Vec3 gradient = Vec3::Zero();
+        const Corners conductance = conductancesOf(g, transmissivity_[t]);
         const auto head = [&](std::size_t k) {
             return into_.head[static_cast<std::size_t>(network_.triangles[t][k])];
         };
-        for (std::size_t k = 1; k < 3; ++k) gradient += (head(k) - head(0)) * g.of[k];
-        return -transmissivity_[t] * into_.wet_share[t] * gradient;
+        Vec3 flow = Vec3::Zero();
+        for (std::size_t k = 0, next = 1; k < 3; ++k, next = (k + 1) % 3)
+            flow += conductance[k] * (head(k) - head(next)) * (network_.corner(t, next) - network_.corner(t, k));
+        return into_.wet_share[t] / g.area * flow;
     }
 
     /// Inflow at the nodes of a boundary that are of one condition.
@@ -218,17 +226,19 @@ class Answer {
     const Flow& flow_;
     const Network& network_;
     const Conditions& conditions_;
-    double unit_weight_;                  ///< of water [N/m^3]
-    std::vector<double> transmissivity_;  ///< of each triangle [m^2/s]
+    double unit_weight_;                   ///< of water [N/m^3]
+    std::vector<Corners> transmissivity_;  ///< of each triangle, along its sides [m^2/s]
     SteadyFlow into_;
 };
 
 }  // namespace
 
-std::vector<double> statedApertures(const Network& network, const Flow& flow) {
-    std::vector<double> apertures;
-    for (std::size_t t = 0; t < network.triangles.size(); ++t)
-        apertures.push_back(apertureOf(flow, network.patch(t).joint));
+std::vector<Corners> statedApertures(const Network& network, const Flow& flow) {
+    std::vector<Corners> apertures;
+    for (std::size_t t = 0; t < network.triangles.size(); ++t) {
+        const double b = apertureOf(flow, network.patch(t).joint);
+        apertures.push_back({b, b, b});
+    }
     return apertures;
 }
 

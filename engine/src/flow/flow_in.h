@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "flow/network.h"
+#include "flow/upstream.h"
 #include "state/arrays.h"
 #include "talus/flow.h"
 
@@ -12,17 +13,17 @@ namespace talus::flow {
 /// Errors: as of steadyFlow (talus/flow.h).
 Result<SteadyFlow> flowIn(const State& state, const Flow& flow);
 
-/// The joints of a model as it was built, with an aperture for each triangle.
+/// The joints of a model as it was built, with apertures that are linear on each triangle.
 struct Joints {
     const Network& network;
-    std::vector<double> aperture;  ///< hydraulic [m]
+    std::vector<Corners> aperture;  ///< hydraulic, at the corners of each triangle [m]
     double tilt = 0;               ///< of gravity [rad]
 };
 /// Errors: likewise.
 Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const Flow& flow);
 
-/// Of each triangle, as the model gives them [m].
-std::vector<double> statedApertures(const Network& network, const Flow& flow);
+/// At the corners of each triangle, as the model gives them [m].
+std::vector<Corners> statedApertures(const Network& network, const Flow& flow);
 
 /// What users should know of parts that no head reaches; nothing where there are none.
 std::optional<Error> unreachedParts(const State& state, const Flow& flow);

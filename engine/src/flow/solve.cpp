@@ -25,7 +25,7 @@ constexpr double kWorse = 4;    // imbalance over that before the step: what is 
 
 class Solver {
  public:
-    Solver(const Network& network, const Conditions& conditions, const std::vector<double>& transmissivity,
+    Solver(const Network& network, const Conditions& conditions, const std::vector<Corners>& transmissivity,
            const FreeSurface& surface)
         : conditions_(conditions),
           equations_(network, conditions, transmissivity, surface),
@@ -171,7 +171,7 @@ class Solver {
 }  // namespace
 
 Heads solveHeads(const Network& network, const Conditions& conditions,
-                 const std::vector<double>& transmissivity, bool free_surface, const FreeSurface& surface) {
+                 const std::vector<Corners>& transmissivity, bool free_surface, const FreeSurface& surface) {
     Solver solver(network, conditions, transmissivity, surface);
     return free_surface ? solver.withFreeSurface() : solver.full();
 }

@@ -28,9 +28,9 @@ struct Heads {
     bool found = false;
 };
 
-/// \param transmissivity  of each triangle [m^2/s]
+/// \param transmissivity  of each triangle, along its sides 0-1, 1-2, 2-0 [m^2/s]
 Heads solveHeads(const Network& network, const Conditions& conditions,
-                 const std::vector<double>& transmissivity, bool free_surface,
+                 const std::vector<Corners>& transmissivity, bool free_surface,
                  const FreeSurface& surface = {});
 
 }  // namespace talus::flow
