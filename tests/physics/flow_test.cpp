@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "support/flows.h"
 #include "support/models.h"
 #include "talus/analysis.h"
@@ -66,6 +69,59 @@ TEST_CASE("flow: one joint, q = rho g b^3 dH w / (12 mu L)") {
         for (const Vec3& q : found.discharge)
             CHECK((q - Vec3(cubicLaw(flow, 2e-4) / 2, 0, 0)).norm() < 1e-12 * cubicLaw(flow, 2e-4));
     }
+}
+
+namespace {
+
+constexpr double kJoint = 20, kDrain = 0.4;  // sides of a square joint, and of a square drain in it [m]
+
+/// Heads of 5 m at its four ends, no pressure in the drain.
+Model drainedSquare(double x, double y) {
+    Flow flow = flowAlongX(2e-4, 5, 5);
+    flow.boundaries.push_back(headAt(Vec3::UnitY(), 5));
+    flow.boundaries.push_back(headAt(-Vec3::UnitY(), 5));
+    FlowBoundary drain = outletAt(Vec3::UnitX());
+    drain.face.reset();
+    drain.box_min = Vec3(x - kDrain / 2, y - kDrain / 2, -0.1);
+    drain.box_max = Vec3(x + kDrain / 2, y + kDrain / 2, 0.1);
+    flow.boundaries.insert(flow.boundaries.begin(), drain);
+    return oneJoint({kJoint, kJoint, 1}, flow);
+}
+
+}  // namespace
+
+TEST_CASE("flow: a drain inside a joint carries 2 pi T dH / ln(r_e / r_w)") {
+    // r_e is the conformal radius of the square joint at its centre, r_w the conformal radius of the outside of
+    // the square drain: 4 sqrt(pi) / Gamma(1/4)^2 and Gamma(1/4)^2 / (4 pi^(3/2)) of their sides (Polya and
+    // Szego 1951, Isoperimetric Inequalities). What this leaves out is of the order (drain / joint)^4.
+    const double g2 = std::pow(std::tgamma(0.25), 2), pi = std::numbers::pi;
+    const double r_e = 4 * std::sqrt(pi) / g2 * kJoint, r_w = g2 / (4 * std::pow(pi, 1.5)) * kDrain;
+    Model model = drainedSquare(10, 10);
+    const double expected = 2 * pi * cubicLaw(*model.flow, 2e-4) * 5 / std::log(r_e / r_w);
+    // A refinement leaves 1 / 2^(4/3) of the error, as is usual about such corners.
+    for (const double within : {0.015, 0.005, 0.002}) {
+        CAPTURE(within);
+        const SteadyFlow found = solved(model);
+        CHECK(found.boundaries[0].outflow > expected);  // a mesh dissipates more
+        CHECK(found.boundaries[0].outflow < (1 + within) * expected);
+        ++model.flow->refinements;
+    }
+}
+
+TEST_CASE("flow: a drain may lie anywhere in a joint, beside all corners of its polygon") {
+    const double first = solved(drainedSquare(7, 10)).boundaries[0].outflow;
+    const double centre = solved(drainedSquare(10, 10)).boundaries[0].outflow;
+    CHECK(first > 1.01 * centre);  // nearer to a head
+    for (const auto& [x, y] : {std::pair(13.0, 10.0), {10.0, 7.0}, {10.0, 13.0}})
+        CHECK(solved(drainedSquare(x, y)).boundaries[0].outflow == doctest::Approx(first).epsilon(5e-3));
+}
+
+TEST_CASE("flow: a head begins where its box does, inside a polygon") {
+    Flow flow = flowAlongX(2e-4, 5, 3);
+    flow.boundaries[1].face.reset();
+    flow.boundaries[1].box_min.x() = 2.7;
+    const SteadyFlow found = solved(oneJoint({4, 1, 1}, flow));
+    CHECK(found.inflow_sum == doctest::Approx(cubicLaw(flow, 2e-4) * 2 / 2.7).epsilon(1e-12));
 }
 
 TEST_CASE("flow: joints in series, of equal and of unequal apertures") {
