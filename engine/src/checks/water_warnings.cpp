@@ -152,8 +152,7 @@ std::vector<Error> dryWaters(const State& state) {
                           std::string("found a water table below all free blocks: ") + kWetsNothing});
     }
     if (model.flow)
-        if (auto unreached = flow::unreachedParts(state, *model.flow))
-            doubts.push_back(std::move(*unreached));
+        for (Error& doubt : flow::doubtsOf(state, *model.flow)) doubts.push_back(std::move(doubt));
     return doubts;
 }
 
@@ -250,6 +249,15 @@ std::vector<std::string> ofCoupling(const flow_water::CoupledFlow& coupled, cons
     if (doubts.taper > kTaper) warnings.push_back(ofTaper(flow, doubts));
     if (doubts.capped > 0) warnings.push_back(ofCap(flow, doubts));
     return warnings;
+}
+
+std::optional<std::string> flowOfOtherTilt(const Model& model) {
+    if (!model.flow || model.flow->coupled) return std::nullopt;
+    return model.flow->field + ": the pressure is that of the flow at the scenario's tilt, " +
+           formatted("%.4g", degrees(model.gravity.tilt)) +
+           " deg, at every tilt, and turns with the blocks; set gravity.tilt_deg to the answer and search "
+           "for "
+           "the safety factor, or say coupled = true: the flow then follows the tilt";
 }
 
 std::optional<std::string> flowAsStated(const Model& model, const std::string& why) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "flow/conditions.h"
@@ -31,6 +32,14 @@ std::string formatted(const char* format, double value) {
     return text.data();
 }
 
+/// Of all boundaries.
+std::string namesOf(const Flow& flow) {
+    std::string names;
+    for (const FlowBoundary& boundary : flow.boundaries)
+        names += (names.empty() ? "given: \"" : ", \"") + boundary.name + "\"";
+    return names;
+}
+
 bool isDry(const Network& network, const Conditions& conditions, std::size_t triangle) {
     return conditions.of[static_cast<std::size_t>(network.triangles[triangle][0])] == Condition::dry;
 }
@@ -56,6 +65,29 @@ std::optional<Error> doubtOf(const std::vector<std::int32_t>& unreached, const N
                                  " polygons of joints, which are dry; the first lies between " +
                                  name(first.block_a) + " and " + name(first.block_b) + ", in joint \"" +
                                  model.joints[static_cast<std::size_t>(first.joint)].name + "\""};
+}
+
+/// Water enters at a head and can leave nowhere: one boundary with its head is all of a connected part.
+/// Where several have heads, still water may be meant.
+std::vector<Error> sealedHeads(const Network& network, const Conditions& conditions, const Flow& flow) {
+    const std::vector<std::int32_t> part = connectedParts(network);
+    std::map<std::int32_t, std::set<std::int32_t>> boundaries_of;  // of each part
+    for (std::size_t n = 0; n < part.size(); ++n)
+        if (conditions.boundary[n] >= 0 && conditions.of[n] != Condition::dry)
+            boundaries_of[part[n]].insert(conditions.boundary[n]);
+    std::set<std::int32_t> sealed;
+    for (const auto& [of, boundaries] : boundaries_of)
+        if (boundaries.size() == 1) sealed.insert(*boundaries.begin());
+    std::vector<Error> doubts;
+    for (const std::int32_t k : sealed) {
+        const FlowBoundary& boundary = flow.boundaries[static_cast<std::size_t>(k)];
+        doubts.push_back({boundary.field,
+                          "nothing drains the water of \"" + boundary.name + "\": no other boundary (" +
+                              namesOf(flow) + ") lies on the joints that it reaches, where water stands at " +
+                              formatted("%.4g", boundary.head) +
+                              " m; without this warning: an outlet or another head where water leaves"});
+    }
+    return doubts;
 }
 
 /// Makes the result out of the heads.
@@ -88,7 +120,7 @@ class Answer {
         addTriangles();
         addBoundaries();
         addSurface();
-        warnOfUnreached();
+        warnOfParts();
         return std::move(into_);
     }
 
@@ -215,11 +247,13 @@ class Answer {
         into_.highest_surface = std::max(into_.highest_surface, height);
     }
 
-    void warnOfUnreached() {
+    void warnOfParts() {
         const std::vector<std::int32_t> unreached = unreachedPatches(network_, conditions_);
         into_.unreached_patches = unreached.size();
         if (const auto doubt = doubtOf(unreached, network_, flow_, model_))
             into_.warnings.push_back(doubt->field + ": " + doubt->message);
+        for (const Error& doubt : sealedHeads(network_, conditions_, flow_))
+            into_.warnings.push_back(doubt.field + ": " + doubt.message);
     }
 
     const Model& model_;
@@ -260,12 +294,15 @@ Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const F
     return Answer(state, flow, joints.network, *conditions, joints.aperture).solve();
 }
 
-std::optional<Error> unreachedParts(const State& state, const Flow& flow) {
+std::vector<Error> doubtsOf(const State& state, const Flow& flow) {
     const Model& model = state.geometry->model;
     const Network network = networkOf(state, 0, flow.boundaries);
     const auto conditions = conditionsOf(network, flow, model, state.geometry->origin, model.gravity.tilt);
-    if (!conditions) return std::nullopt;
-    return doubtOf(unreachedPatches(network, *conditions), network, flow, model);
+    if (!conditions) return {};
+    std::vector<Error> doubts = sealedHeads(network, *conditions, flow);
+    if (auto unreached = doubtOf(unreachedPatches(network, *conditions), network, flow, model))
+        doubts.push_back(std::move(*unreached));
+    return doubts;
 }
 
 }  // namespace flow

@@ -25,7 +25,7 @@ Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const F
 /// At the corners of each triangle, as the model gives them [m].
 std::vector<Corners> statedApertures(const Network& network, const Flow& flow);
 
-/// What users should know of parts that no head reaches; nothing where there are none.
-std::optional<Error> unreachedParts(const State& state, const Flow& flow);
+/// What users should know of parts that no head reaches, and of water that can leave nowhere.
+std::vector<Error> doubtsOf(const State& state, const Flow& flow);
 
 }  // namespace talus::flow

@@ -10,6 +10,7 @@
 #include "build/wet_joints.h"
 #include "checks/loose_blocks.h"
 #include "checks/plausible.h"
+#include "checks/water_warnings.h"
 #include "equilibrium/release.h"
 #include "measure/stopwatch.h"
 #include "search/search_run.h"
@@ -96,6 +97,8 @@ std::vector<Error> Search::build() {
     if (takeOutOfModel(slivers, &slivers_)) return build();
     if (auto errors = checks::implausibleSearch(*built_, imbalance, bounds); !errors.empty()) return errors;
     for (std::string& doubt : checks::doubts(*built_)) built_->warnings.push_back(std::move(doubt));
+    if (varied_ == Varied::tilt)
+        if (auto doubt = checks::flowOfOtherTilt(*rest_)) built_->warnings.push_back(std::move(*doubt));
     for (std::string& line : heldAtTimeZero(*rest_)) built_->warnings.push_back(std::move(line));
     warnOfLooseBlocks();
     stopDrivenBlocks();
