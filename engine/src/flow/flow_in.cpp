@@ -107,8 +107,8 @@ class Answer {
         }
     }
 
-    Result<SteadyFlow> solve() {
-        Heads heads = solveHeads(network_, conditions_, transmissivity_, flow_.free_surface);
+    Result<SteadyFlow> solve(const Telling& telling) {
+        Heads heads = solveHeads(network_, conditions_, transmissivity_, flow_.free_surface, {}, telling);
         if (!heads.found) return Error{flow_.field, faultOf(heads)};
         into_.ramp = heads.ramp;
         into_.iterations = heads.iterations;
@@ -277,21 +277,22 @@ std::vector<Corners> statedApertures(const Network& network, const Flow& flow) {
     return apertures;
 }
 
-Result<SteadyFlow> flowIn(const State& state, const Flow& flow) {
+Result<SteadyFlow> flowIn(const State& state, const Flow& flow, const Telling& telling) {
     const Model& model = state.geometry->model;
     const Network network = networkOf(state, flow.refinements, flow.boundaries);
     if (network.triangles.empty() && !model.is_remainder)
         return Error{flow.field,
                      "found no joint between two blocks that touch, one of them free; allowed: "
                      "flow in a model with joints"};
-    return flowThrough({network, statedApertures(network, flow), model.gravity.tilt}, state, flow);
+    return flowThrough({network, statedApertures(network, flow), model.gravity.tilt}, state, flow, telling);
 }
 
-Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const Flow& flow) {
+Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const Flow& flow,
+                               const Telling& telling) {
     const Geometry& geometry = *state.geometry;
     const auto conditions = conditionsOf(joints.network, flow, geometry.model, geometry.origin, joints.tilt);
     if (!conditions) return conditions.errors();
-    return Answer(state, flow, joints.network, *conditions, joints.aperture).solve();
+    return Answer(state, flow, joints.network, *conditions, joints.aperture).solve(telling);
 }
 
 std::vector<Error> doubtsOf(const State& state, const Flow& flow) {

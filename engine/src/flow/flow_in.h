@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "flow/network.h"
+#include "flow/solve.h"
 #include "flow/upstream.h"
 #include "state/arrays.h"
 #include "talus/flow.h"
@@ -11,7 +12,7 @@
 namespace talus::flow {
 
 /// Errors: as of steadyFlow (talus/flow.h).
-Result<SteadyFlow> flowIn(const State& state, const Flow& flow);
+Result<SteadyFlow> flowIn(const State& state, const Flow& flow, const Telling& telling = {});
 
 /// The joints of a model as it was built, with apertures that are linear on each triangle.
 struct Joints {
@@ -20,7 +21,8 @@ struct Joints {
     double tilt = 0;                ///< of gravity [rad]
 };
 /// Errors: likewise.
-Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const Flow& flow);
+Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const Flow& flow,
+                               const Telling& telling = {});
 
 /// At the corners of each triangle, as the model gives them [m].
 std::vector<Corners> statedApertures(const Network& network, const Flow& flow);
