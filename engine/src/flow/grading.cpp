@@ -1,6 +1,7 @@
 #include "flow/grading.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -22,20 +23,20 @@ double distanceToSide(const Vec3& x, const Vec3& a, const Vec3& b) {
 
 class Grading {
  public:
-    Grading(Network& network, std::span<const OutlineCorner> corners) : network_(network), corners_(corners) {
-        for (std::size_t t = 0; t < network_.triangles.size(); ++t) enter(t);
+    Grading(const Mesh& mesh, std::span<const OutlineCorner> corners) : mesh_(mesh), corners_(corners) {
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) enter(t);
     }
 
     void make() {
-        for (std::size_t t = 0; t < network_.triangles.size(); ++t)
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
             while (isTooLarge(t)) divide(t);
     }
 
  private:
     Edge edge(std::size_t t, std::size_t k) const {
-        return std::minmax({network_.triangles[t][k], network_.triangles[t][(k + 1) % 3]});
+        return std::minmax({mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3]});
     }
-    const Vec3& at(std::int32_t node) const { return network_.nodes[static_cast<std::size_t>(node)]; }
+    const Vec3& at(std::int32_t node) const { return mesh_.nodes[static_cast<std::size_t>(node)]; }
     double length(const Edge& e) const { return (at(e.second) - at(e.first)).norm(); }
 
     /// Of edges of one length, the one of later nodes: an order of all edges, so that `divide` ends.
@@ -51,7 +52,7 @@ class Grading {
     bool isTooLarge(std::size_t t) const {
         const double side = length(longest(t));
         return std::ranges::any_of(corners_, [&](const OutlineCorner& corner) {
-            double distance = kInfinity;
+            double distance = std::numeric_limits<double>::infinity();
             for (std::size_t k = 0; k < 3; ++k)
                 distance = std::min(
                     distance, distanceToSide(corner.place, at(edge(t, k).first), at(edge(t, k).second)));
@@ -65,8 +66,8 @@ class Grading {
         const auto other = std::ranges::find_if(
             triangles_on_[halved], [&](std::size_t neighbour) { return longest(neighbour) != halved; });
         if (other != triangles_on_[halved].end()) return divide(*other);
-        const auto middle = static_cast<std::int32_t>(network_.nodes.size());
-        network_.nodes.push_back(0.5 * (at(halved.first) + at(halved.second)));
+        const auto middle = static_cast<std::int32_t>(mesh_.nodes.size());
+        mesh_.nodes.push_back(0.5 * (at(halved.first) + at(halved.second)));
         const std::vector<std::size_t> meet = std::exchange(triangles_on_[halved], {});
         triangles_on_.erase(halved);
         for (const std::size_t each : meet) split(each, halved, middle);
@@ -76,13 +77,13 @@ class Grading {
         std::size_t k = 0;
         while (edge(t, k) != halved) ++k;
         leave(t);
-        const auto corners = network_.triangles[t];
+        const auto corners = mesh_.triangles[t];
         const std::int32_t a = corners[k], b = corners[(k + 1) % 3], apex = corners[(k + 2) % 3];
-        network_.triangles[t] = {a, middle, apex};
+        mesh_.triangles[t] = {a, middle, apex};
         enter(t);
-        network_.triangles.push_back({middle, b, apex});
-        network_.patch_of.push_back(network_.patch_of[t]);
-        enter(network_.triangles.size() - 1);
+        mesh_.triangles.push_back({middle, b, apex});
+        mesh_.patch_of.push_back(mesh_.patch_of[t]);
+        enter(mesh_.triangles.size() - 1);
     }
 
     void enter(std::size_t t) {
@@ -94,29 +95,29 @@ class Grading {
                 std::erase(found->second, t);
     }
 
-    Network& network_;
+    Mesh mesh_;
     std::span<const OutlineCorner> corners_;
     std::map<Edge, std::vector<std::size_t>> triangles_on_;
 };
 
-void sortByPatch(Network& network) {
-    std::vector<std::size_t> order(network.triangles.size());
+void sortByPatch(const Mesh& mesh) {
+    std::vector<std::size_t> order(mesh.triangles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t t) { return network.patch_of[t]; });
-    Network sorted = network;
+    std::ranges::stable_sort(order, {}, [&](std::size_t t) { return mesh.patch_of[t]; });
+    const auto triangles = mesh.triangles;
+    const auto patch_of = mesh.patch_of;
     for (std::size_t t = 0; t < order.size(); ++t) {
-        sorted.triangles[t] = network.triangles[order[t]];
-        sorted.patch_of[t] = network.patch_of[order[t]];
+        mesh.triangles[t] = triangles[order[t]];
+        mesh.patch_of[t] = patch_of[order[t]];
     }
-    network = std::move(sorted);
 }
 
 }  // namespace
 
-void grade(Network& network, std::span<const OutlineCorner> corners) {
+void grade(const Mesh& mesh, std::span<const OutlineCorner> corners) {
     if (corners.empty()) return;
-    Grading(network, corners).make();
-    sortByPatch(network);
+    Grading(mesh, corners).make();
+    sortByPatch(mesh);
 }
 
 }  // namespace talus::flow

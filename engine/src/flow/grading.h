@@ -7,14 +7,23 @@
 // longest of each first (Rivara 1984, International Journal for Numerical Methods in Engineering 20, 745). No
 // angle becomes less than half of the smallest before.
 
+#include <array>
+#include <cstdint>
 #include <span>
+#include <vector>
 
-#include "flow/network.h"
 #include "flow/pieces.h"
 
 namespace talus::flow {
 
+/// Parts of a network.
+struct Mesh {
+    std::vector<Vec3>& nodes;  ///< [m]
+    std::vector<std::array<std::int32_t, 3>>& triangles;
+    std::vector<std::int32_t>& patch_of;  ///< of each triangle
+};
+
 /// Triangles of a patch follow each other afterwards, as before.
-void grade(Network& network, std::span<const OutlineCorner> corners);
+void grade(const Mesh& mesh, std::span<const OutlineCorner> corners);
 
 }  // namespace talus::flow

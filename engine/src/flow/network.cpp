@@ -335,7 +335,7 @@ Network networkOf(const State& state, int refinements, std::span<const FlowBound
     const Gravity& gravity = state.geometry->model.gravity;
     network.size = medianSide(network);
     network.height = meanHeight(network, downward(gravity, gravity.tilt));
-    grade(network, fans.drainCorners());
+    grade({network.nodes, network.triangles, network.patch_of}, fans.drainCorners());
     for (int k = 0; k < refinements; ++k) refine(network);
     return network;
 }

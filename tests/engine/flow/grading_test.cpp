@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "flow/network.h"
 using namespace talus;
 using talus::flow::Network;
 
@@ -40,7 +41,7 @@ double areaOf(const Network& network, std::size_t t) {
 TEST_CASE("grading: the mesh is fine at the corner, coarse far away, and has no node on a side") {
     Network network = threeAtAnEdge();
     const std::array corners{flow::OutlineCorner{{8, 0, 0}, 0.4}};
-    flow::grade(network, corners);
+    flow::grade({network.nodes, network.triangles, network.patch_of}, corners);
     double area = 0, finest = kInfinity, coarsest = 0;
     std::map<std::pair<std::int32_t, std::int32_t>, int> sides;
     for (std::size_t t = 0; t < network.triangles.size(); ++t) {
@@ -70,6 +71,6 @@ TEST_CASE("grading: the mesh is fine at the corner, coarse far away, and has no 
 
 TEST_CASE("grading: without corners the mesh stays as it is") {
     Network network = threeAtAnEdge();
-    flow::grade(network, {});
+    flow::grade({network.nodes, network.triangles, network.patch_of}, {});
     CHECK(network.triangles == threeAtAnEdge().triangles);
 }
