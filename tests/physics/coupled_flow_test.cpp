@@ -107,11 +107,6 @@ Model softDam() {
     return model;
 }
 
-bool says(const std::vector<std::string>& warnings, const char* part) {
-    return std::any_of(warnings.begin(), warnings.end(),
-                       [&](const std::string& warning) { return warning.find(part) != std::string::npos; });
-}
-
 }  // namespace
 
 TEST_CASE("coupled flow: under a block that turns, the heads of a wedge-shaped joint") {
@@ -334,8 +329,8 @@ TEST_CASE("coupled flow: a dam of many blocks, with any number of threads") {
         CHECK(again->answer == first->answer);
         CHECK(again->flow_coupling->last_change == first->flow_coupling->last_change);
     }
-    model.flow->coupled = false;
-    CHECK(first->answer < factorOf(model) - 0.02);
+    model.flow->refinements = 1;
+    CHECK(first->answer == doctest::Approx(factorOf(model)).epsilon(4e-3));  // the mesh hardly decides it
 }
 
 TEST_CASE("coupled flow: a dam that is tilted drains where it rises above the lower head, and slides") {

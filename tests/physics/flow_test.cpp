@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "support/flows.h"
 #include "support/models.h"
 #include "talus/analysis.h"
@@ -66,6 +69,127 @@ TEST_CASE("flow: one joint, q = rho g b^3 dH w / (12 mu L)") {
         for (const Vec3& q : found.discharge)
             CHECK((q - Vec3(cubicLaw(flow, 2e-4) / 2, 0, 0)).norm() < 1e-12 * cubicLaw(flow, 2e-4));
     }
+}
+
+namespace {
+
+constexpr double kJoint = 20, kDrain = 0.4;  // sides of a square joint, and of a square drain in it [m]
+
+void widenFloor(Model& model) {
+    model.blocks[0] = box("floor", {-5, -5, -1}, {kJoint + 5, kJoint + 5, 0}, 2700, Motion::fixed);
+}
+
+/// Heads of 5 m at its four ends, no pressure in the drain.
+Model drainedSquare(double x, double y) {
+    Flow flow = flowAlongX(2e-4, 5, 5);
+    flow.boundaries.push_back(headAt(Vec3::UnitY(), 5));
+    flow.boundaries.push_back(headAt(-Vec3::UnitY(), 5));
+    FlowBoundary drain = outletAt(Vec3::UnitX());
+    drain.face.reset();
+    drain.box_min = Vec3(x - kDrain / 2, y - kDrain / 2, -0.1);
+    drain.box_max = Vec3(x + kDrain / 2, y + kDrain / 2, 0.1);
+    flow.boundaries.insert(flow.boundaries.begin(), drain);
+    Model model = oneJoint({kJoint, kJoint, 1}, flow);
+    widenFloor(model);
+    return model;
+}
+
+}  // namespace
+
+TEST_CASE("flow: a drain inside a joint carries 2 pi T dH / ln(r_e / r_w)") {
+    // r_e is the conformal radius of the square joint at its centre, r_w the conformal radius of the outside of
+    // the square drain: 4 sqrt(pi) / Gamma(1/4)^2 and Gamma(1/4)^2 / (4 pi^(3/2)) of their sides (Polya and
+    // Szego 1951, Isoperimetric Inequalities). What this leaves out is of the order (drain / joint)^4.
+    const double g2 = std::pow(std::tgamma(0.25), 2), pi = std::numbers::pi;
+    const double r_e = 4 * std::sqrt(pi) / g2 * kJoint, r_w = g2 / (4 * std::pow(pi, 1.5)) * kDrain;
+    Model model = drainedSquare(10, 10);
+    const double expected = 2 * pi * cubicLaw(*model.flow, 2e-4) * 5 / std::log(r_e / r_w);
+    // A refinement leaves 1 / 2^(4/3) of the error, as is usual about such corners.
+    for (const double within : {0.015, 0.005, 0.002}) {
+        CAPTURE(within);
+        const SteadyFlow found = solved(model);
+        CHECK(found.boundaries[0].outflow > expected);  // a mesh dissipates more
+        CHECK(found.boundaries[0].outflow < (1 + within) * expected);
+        ++model.flow->refinements;
+    }
+}
+
+TEST_CASE("flow: a drain may lie anywhere in a joint, beside all corners of its polygon") {
+    const double first = solved(drainedSquare(7, 10)).boundaries[0].outflow;
+    const double centre = solved(drainedSquare(10, 10)).boundaries[0].outflow;
+    CHECK(first > 1.01 * centre);  // nearer to a head
+    for (const auto& [x, y] : {std::pair(13.0, 10.0), {10.0, 7.0}, {10.0, 13.0}})
+        CHECK(solved(drainedSquare(x, y)).boundaries[0].outflow == doctest::Approx(first).epsilon(5e-3));
+}
+
+TEST_CASE("flow: a head that nothing drains is warned of, in the flow and in searches") {
+    Model model = oneJoint({4, 1, 1}, flowAlongX(2e-4, 1.5, 0.5));
+    CHECK(solved(model).warnings.empty());
+    CHECK_FALSE(says(safetyFactor(model, {.interval = false})->warnings, "nothing drains"));
+    model.flow->boundaries.pop_back();
+    const auto still = steadyFlow(model);
+    REQUIRE(still.ok());
+    CHECK(still->inflow_sum == 0);
+    CHECK(
+        says(still->warnings,
+             "flow.boundary[0]: nothing drains the water of \"head\": no other boundary (given: \"head\")"));
+    CHECK(says(safetyFactor(model, {.interval = false})->warnings, "nothing drains the water of \"head\""));
+}
+
+TEST_CASE("flow: a search for the tilt says which tilt its flow is of") {
+    Model model = oneJoint({4, 1, 1}, flowAlongX(2e-4, 0.2, 0.1));
+    model.gravity.tilt = radians(3);
+    CHECK(says(criticalAngle(model, {.interval = false})->warnings,
+               "flow: the pressure is that of the flow at the scenario's tilt, 3 deg, at every tilt"));
+    CHECK_FALSE(says(safetyFactor(model, {.interval = false})->warnings, "scenario's tilt"));
+    model.flow->coupled = true;
+    CHECK_FALSE(says(criticalAngle(model, {.interval = false})->warnings, "scenario's tilt"));
+}
+
+TEST_CASE("flow: a second mesh says how far discharges depend on it") {
+    Model model = drainedSquare(10, 10);
+    const SteadyFlow coarse = solved(model);
+    const auto finer = meshChange(model, coarse);
+    REQUIRE(finer.ok());
+    CHECK(finer->refinements == 1);
+    model.flow->refinements = 1;
+    const SteadyFlow fine = solved(model);
+    CHECK(finer->triangles == fine.triangles.size());
+    const double ratio = fine.inflow_sum / coarse.inflow_sum;
+    CHECK(finer->total == doctest::Approx(ratio - 1).epsilon(1e-9));
+    REQUIRE(finer->boundaries.size() == 5);
+    CHECK(finer->boundaries[0] == doctest::Approx(ratio - 1).epsilon(1e-9));
+    const auto coarser = meshChange(model, fine);
+    REQUIRE(coarser.ok());
+    CHECK(coarser->refinements == 0);
+    CHECK(coarser->total == doctest::Approx(1 / ratio - 1).epsilon(1e-9));
+    const Model straight = oneJoint({4, 1, 1}, flowAlongX(2e-4, 5, 3));
+    CHECK(std::abs(meshChange(straight, solved(straight))->total) < 1e-12);
+    const Model still = oneJoint({4, 1, 1}, flowAlongX(2e-4, 5, 5));
+    CHECK(std::isnan(meshChange(still, *steadyFlow(still))->total));
+}
+
+TEST_CASE("flow: a drain carries the same where the polygons of four blocks meet in it") {
+    const Model whole = drainedSquare(10, 10);
+    Model model = floorModel(30);
+    model.flow = whole.flow;
+    widenFloor(model);
+    model.flow->aperture = 1e-6;  // between the blocks: tight
+    for (const double x : {0.0, 10.0})
+        for (const double y : {0.0, 10.0}) {
+            addBox(model, std::to_string(x + y / 2), {x, y, 0}, {10, 10, 1});
+            setBase(model, static_cast<std::int32_t>(model.blocks.size()) - 1, 2e-4);
+        }
+    const double found = solved(model).boundaries[0].outflow;
+    CHECK(found == doctest::Approx(solved(whole).boundaries[0].outflow).epsilon(3e-3));
+}
+
+TEST_CASE("flow: a head begins where its box does, inside a polygon") {
+    Flow flow = flowAlongX(2e-4, 5, 3);
+    flow.boundaries[1].face.reset();
+    flow.boundaries[1].box_min.x() = 2.7;
+    const SteadyFlow found = solved(oneJoint({4, 1, 1}, flow));
+    CHECK(found.inflow_sum == doctest::Approx(cubicLaw(flow, 2e-4) * 2 / 2.7).epsilon(1e-12));
 }
 
 TEST_CASE("flow: joints in series, of equal and of unequal apertures") {

@@ -6,6 +6,7 @@
 
 #include "build/build.h"
 #include "flow/conditions.h"
+#include "flow/upstream.h"
 #include "support/flows.h"
 
 namespace talus::test {
@@ -20,20 +21,21 @@ struct FlowNetwork {
         dry.flow.reset();
         return *buildState(std::move(dry), false);
     }();
-    flow::Network network = flow::networkOf(state, 0);
+    flow::Network network = flow::networkOf(state, 0, water.boundaries);
     flow::Conditions conditions = *flow::conditionsOf(network, water, model, Vec3::Zero(), 0);
-    std::vector<double> transmissivity = transmissivities();
+    std::vector<flow::Corners> transmissivity = transmissivities();
 
  private:
-    /// Of each triangle, by the aperture of its joint [m^2/s].
-    std::vector<double> transmissivities() const {
-        std::vector<double> values;
+    /// Of each triangle along its sides, by the aperture of its joint [m^2/s].
+    std::vector<flow::Corners> transmissivities() const {
+        std::vector<flow::Corners> values;
         for (std::size_t t = 0; t < network.triangles.size(); ++t) {
             const flow::Patch& patch = network.patch(t);
             double aperture = water.aperture;
             for (const auto& [joint, other] : water.joint_apertures)
                 if (joint == patch.joint) aperture = other;
-            values.push_back(cubicLaw(water, aperture));
+            const double along = cubicLaw(water, aperture);
+            values.push_back({along, along, along});
         }
         return values;
     }

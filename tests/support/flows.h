@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "support/models.h"
 #include "talus/flow.h"
@@ -64,5 +65,11 @@ inline Model gridDam(int columns, int rows, int slices, const Vec3& size, double
 
 /// Sum of the flows into the network at each node, over the whole inflow.
 inline double largestImbalance(const SteadyFlow& flow) { return flow.imbalance / flow.inflow_sum; }
+
+/// Whether any warning has this part.
+inline bool says(const std::vector<std::string>& warnings, const char* part) {
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [&](const std::string& warning) { return warning.find(part) != std::string::npos; });
+}
 
 }  // namespace talus::test

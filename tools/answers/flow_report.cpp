@@ -63,15 +63,37 @@ Vec3 middleOf(const SteadyFlow& flow, std::size_t triangle) {
     return sum / 3;
 }
 
-Json boundariesJson(const SteadyFlow& flow) {
+Json boundariesJson(const SteadyFlow& flow, const std::optional<MeshChange>& change) {
     Json list = Json::array();
-    for (const BoundaryFlow& boundary : flow.boundaries)
+    for (std::size_t k = 0; k < flow.boundaries.size(); ++k) {
+        const BoundaryFlow& boundary = flow.boundaries[k];
         list.push_back({{"name", boundary.name},
                         {"nodes", boundary.nodes},
                         {"inflow_m3_s", number(boundary.inflow)},
                         {"outflow_m3_s", number(boundary.outflow)},
+                        {"mesh_change", change ? number(change->boundaries[k]) : Json(nullptr)},
                         {"highest_outflow_m", number(boundary.highest_outflow)}});
+    }
     return list;
+}
+
+Json meshJson(const std::optional<MeshChange>& change) {
+    if (!change) return nullptr;
+    return {{"refinements", change->refinements},
+            {"triangles", change->triangles},
+            {"inflow_change", number(change->total)}};
+}
+
+std::string meshText(const SteadyFlow& flow, const MeshChange& change) {
+    const auto percent = [](double share) { return figure("%+.2g", 100 * share) + " %"; };
+    std::string text = "with refinements = " + std::to_string(change.refinements) + " (" +
+                       std::to_string(change.triangles) + " triangles) ";
+    if (std::isnan(change.total)) return text + "nothing flows to compare";
+    text += "the inflow changes by " + percent(change.total);
+    for (std::size_t k = 0; k < flow.boundaries.size(); ++k)
+        if (!std::isnan(change.boundaries[k]))
+            text += ", " + flow.boundaries[k].name + " by " + percent(change.boundaries[k]);
+    return text;
 }
 
 Json surfaceJson(const SteadyFlow& flow) {
@@ -107,13 +129,15 @@ std::string couplingText(const FlowCoupling& coupling) {
            (coupling.converged ? "" : "; not converged");
 }
 
-std::string flowText(const SteadyFlow& flow, const std::string& scenario) {
+std::string flowText(const SteadyFlow& flow, const std::optional<MeshChange>& change,
+                     const std::string& scenario) {
     std::string text =
         row("scenario", scenario) + row("network", std::to_string(flow.patches) + " polygons of joints, " +
                                                        std::to_string(flow.nodes.size()) + " nodes, " +
                                                        std::to_string(flow.triangles.size()) + " triangles");
     for (const BoundaryFlow& boundary : flow.boundaries) text += row(boundary.name, boundaryText(boundary));
     text += row("inflow", discharge(flow.inflow_sum)) + row("outflow", discharge(flow.outflow_sum));
+    if (change) text += row("mesh", meshText(flow, *change));
     text += row("imbalance", figure("%.1g", flow.imbalance) + " m3/s at a node, at most");
     if (!flow.nodes.empty()) {
         const std::size_t most = highestPressure(flow);
@@ -128,16 +152,18 @@ std::string flowText(const SteadyFlow& flow, const std::string& scenario) {
                                  figure("%.2g", flow.ramp) + " m of suction");
 }
 
-Json flowJson(const SteadyFlow& flow, const Common& common, const formats::Scenario& scenario) {
+Json flowJson(const SteadyFlow& flow, const std::optional<MeshChange>& change, const Common& common,
+              const formats::Scenario& scenario) {
     const bool any = !flow.nodes.empty();
     const std::size_t most = any ? highestPressure(flow) : 0;
     return {{"patches", flow.patches},
             {"unreached_patches", flow.unreached_patches},
             {"nodes", flow.nodes.size()},
             {"triangles", flow.triangles.size()},
-            {"boundaries", boundariesJson(flow)},
+            {"boundaries", boundariesJson(flow, change)},
             {"inflow_m3_s", number(flow.inflow_sum)},
             {"outflow_m3_s", number(flow.outflow_sum)},
+            {"mesh", meshJson(change)},
             {"imbalance_m3_s", number(flow.imbalance)},
             {"largest_pressure_pa", any ? number(flow.pressure[most]) : Json(nullptr)},
             {"largest_pressure_at_m", any ? vector(flow.nodes[most]) : Json(nullptr)},

@@ -4,12 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 
 #include "answers/flow_picture.h"
 #include "answers/flow_report.h"
 #include "cli/files.h"
 #include "cli/json.h"
 #include "cli/outputs.h"
+#include "cli/progress.h"
 #include "cli/provenance.h"
 #include "cli/scenario.h"
 #include "cli/text.h"
@@ -41,9 +43,8 @@ void writeFiles(const FlowOptions& options, const SteadyFlow& flow, const Model&
     if (!options.picture.empty()) writeFile(options.picture, flowSvg(flow, name));
 }
 
-Result<SteadyFlow> solve(const Model& model, const FlowOptions& options) {
-    if (!model.flow->coupled) return steadyFlow(model);
-    return coupledFlow(model, {.threads = options.common.threads});
+Result<SteadyFlow> solve(const Model& model, const Control& control) {
+    return model.flow->coupled ? coupledFlow(model, control) : steadyFlow(model, control);
 }
 
 int analyse(const FlowOptions& options) {
@@ -55,12 +56,20 @@ int analyse(const FlowOptions& options) {
     refuse("--csv", options.csv, ".csv");
     refuse("--picture", options.picture, ".svg");
     const EndsAtOnce solving = endsWhile("the flow was computed", options.common);
-    const SteadyFlow flow = valueOf(solve(scenario.model, options), scenario);
+    ProgressPrinter progress(options.common);
+    const Control control{.progress = progress.callback(), .threads = options.common.threads};
+    const SteadyFlow flow = valueOf(solve(scenario.model, control), scenario);
+    const Result<MeshChange> compared = meshChange(scenario.model, flow, control);
+    progress.finish();
+    if (!compared)
+        note(options.common,
+             "the flow was not compared with that of another mesh: " + compared.errors().front().message);
+    const auto change = compared ? std::optional(*compared) : std::nullopt;
     writeFiles(options, flow, scenario.model);
     if (options.common.json)
-        printJson(flowJson(flow, options.common, scenario));
+        printJson(flowJson(flow, change, options.common, scenario));
     else
-        printResult(flowText(flow, options.scenario.name()) + warningLines(scenario, flow.warnings));
+        printResult(flowText(flow, change, options.scenario.name()) + warningLines(scenario, flow.warnings));
     return kDone;
 }
 

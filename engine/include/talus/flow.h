@@ -57,13 +57,27 @@ struct SteadyFlow {
     bool isWet(std::size_t triangle) const;  ///< whether pressure acts at any of its corners
 };
 
+/// How far the mesh decides discharges: against one of half or twice the size. Its triangles are the other
+/// flow's divided into four, or the other way round.
+struct MeshChange {
+    int refinements = 0;             ///< of the other mesh: one less, or 1 where there is none
+    std::size_t triangles = 0;       ///< of the other mesh
+    std::vector<double> boundaries;  ///< (other - this) / this, of what passes each; nan where nothing does
+    double total = 0;                ///< likewise of the inflow; nan where nothing flows
+};
+
 /// \pre model.flow. Errors: those of the model; a boundary at which no joint lies; a network without a head;
 /// a free surface that was not found.
-Result<SteadyFlow> steadyFlow(const Model& model);
+/// Progress is told at each iteration, with the size of the mesh.
+Result<SteadyFlow> steadyFlow(const Model& model, const Control& control = {});
 
 /// The same with apertures that follow the joints, at the equilibrium under the model's own loads. Without
 /// equilibrium, an error.
 /// \pre model.flow->coupled
 Result<SteadyFlow> coupledFlow(const Model& model, const Control& control = {});
+
+/// Computes the flow once more. \param flow  that of the model. Errors: of the flow on the other mesh; one
+/// too large to be worth its time
+Result<MeshChange> meshChange(Model model, const SteadyFlow& flow, const Control& control = {});
 
 }  // namespace talus

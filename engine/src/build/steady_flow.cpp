@@ -6,13 +6,13 @@
 
 namespace talus {
 
-Result<SteadyFlow> steadyFlow(const Model& model) {
+Result<SteadyFlow> steadyFlow(const Model& model, const Control& control) {
     Model dry = model;
     dry.flow.reset();
     const auto state = buildState(std::move(dry), true);
     if (!state) return state.errors();
     if (auto errors = flow_water::conflicts(*state, *model.flow); !errors.empty()) return errors;
-    return flow::flowIn(*state, *model.flow);
+    return flow::flowIn(*state, *model.flow, control.progress);
 }
 
 }  // namespace talus

@@ -35,6 +35,9 @@ std::optional<std::string> pushedAway(const State& state);
 /// \param last  the last equilibrium, with its pressure
 std::vector<std::string> ofCoupling(const flow_water::CoupledFlow& coupled, const State& last);
 
+/// For a search that varies the tilt, where the flow does not follow it.
+std::optional<std::string> flowOfOtherTilt(const Model& model);
+
 /// For an analysis that finds no equilibrium, where flow is coupled.
 inline constexpr const char* kNothingOpens = "joints do not open here";
 std::optional<std::string> flowAsStated(const Model& model, const std::string& why);

@@ -14,6 +14,15 @@ inline double transmissivity(double unit_weight, double aperture, double viscosi
     return unit_weight * aperture * aperture * aperture / (12 * viscosity);
 }
 
+/// Transmissivity of a path between two places of a joint whose walls part linearly from one to the other.
+/// Along it q = -T(b) dh/dx is constant, so its parts are in series: 1/T is the mean of 1/T(b). The mean of
+/// 1/b^3 is (b1 + b2) / (2 b1^2 b2^2).
+/// \param from, to  apertures at its ends, b1 and b2 [m]
+inline double taperedTransmissivity(double unit_weight, double from, double to, double viscosity) {
+    if (from == to) return transmissivity(unit_weight, from, viscosity);
+    return unit_weight * 2 * from * from * to * to / ((from + to) * 12 * viscosity);
+}
+
 // Of the stated aperture. A joint that has opened so far conducts a thousand times as much. Where tighter
 // joints lie in series with it, the head along it is level, and hardly changes any more. Where it alone carries
 // the flow, the cap decides: results have a warning.

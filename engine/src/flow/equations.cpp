@@ -28,7 +28,7 @@ double lowestHead(const Conditions& conditions) {
 }  // namespace
 
 Equations::Equations(const Network& network, const Conditions& conditions,
-                     const std::vector<double>& transmissivity, const FreeSurface& surface)
+                     const std::vector<Corners>& transmissivity, const FreeSurface& surface)
     : network_(&network),
       conditions_(&conditions),
       dry_share_(surface.dry_share),
@@ -37,13 +37,10 @@ Equations::Equations(const Network& network, const Conditions& conditions,
       structure_(network, conditions),
       datum_(lowestHead(conditions)) {
     for (std::size_t t = 0; t < network.triangles.size(); ++t) {
-        const Gradients g = gradientsOf(network, t);
-        Corners between{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            between[k] = -transmissivity[t] * g.area * g.of[k].dot(g.of[(k + 1) % 3]);
+        const Corners between = conductancesOf(gradientsOf(network, t), transmissivity[t]);
+        for (std::size_t k = 0; k < 3; ++k)
             for (const std::size_t end : {k, (k + 1) % 3})
                 around_[network.triangles[t][end]] += std::abs(between[k]);
-        }
         stiffness_.push_back(between);
     }
     openOutlets();
@@ -216,6 +213,19 @@ Gradients gradientsOf(const Network& network, std::size_t triangle) {
         gradients.of[k] = normal.cross(opposite) / (twice * twice);
     }
     return gradients;
+}
+
+Corners conductancesOf(const Gradients& gradients, const Corners& transmissivity) {
+    Corners conductance{};
+    for (std::size_t k = 0; k < 3; ++k)
+        conductance[k] = -transmissivity[k] * gradients.area * gradients.of[k].dot(gradients.of[(k + 1) % 3]);
+    const auto k = static_cast<std::size_t>(std::ranges::min_element(conductance) - conductance.begin());
+    const double here = transmissivity[k], a = transmissivity[(k + 1) % 3], b = transmissivity[(k + 2) % 3];
+    if (conductance[k] >= 0 || (here == a && here == b)) return conductance;
+    const double of_a = conductance[(k + 1) % 3], of_b = conductance[(k + 2) % 3];  // c T
+    const double through_hub = (of_a * b + of_b * a) / (of_a + of_b);
+    if (through_hub < here) conductance[k] *= through_hub / here;
+    return conductance;
 }
 
 }  // namespace talus::flow

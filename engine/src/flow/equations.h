@@ -35,9 +35,9 @@ struct Wetness {
 /// Heads count from a datum, the lowest given head: little is lost to rounding far above sea level.
 class Equations {
  public:
-    /// \param transmissivity  of each triangle [m^2/s]
-    Equations(const Network& network, const Conditions& conditions, const std::vector<double>& transmissivity,
-              const FreeSurface& surface = {});
+    /// \param transmissivity  of each triangle, along its sides 0-1, 1-2, 2-0 [m^2/s]
+    Equations(const Network& network, const Conditions& conditions,
+              const std::vector<Corners>& transmissivity, const FreeSurface& surface = {});
 
     double height() const { return network_->height; }  ///< of a patch [m]
     double ramp() const { return ramp_; }               ///< of the answer [m]
@@ -98,5 +98,17 @@ struct Gradients {
     double area = 0;
 };
 Gradients gradientsOf(const Network& network, std::size_t triangle);
+
+/// Conductance of each side of a triangle: c_ij T_ij, with c_ij = -A grad N_i . grad N_j.
+///
+/// Where an aperture is linear in the plane and the head changes along its slope alone, q = -T(b) dh/dx is one
+/// number, and T_ij (h_i - h_j) = q (x_j - x_i) holds along every side (taperedTransmissivity). Such flow
+/// balances as a linear head does in a joint of one aperture, so heads at nodes are exact on any mesh. It is
+/// the exponential fitting of Scharfetter and Gummel (1969, IEEE Transactions on Electron Devices 16, 64).
+///
+/// The side opposite to an obtuse angle has c < 0. Its T is at most that of the way through the hub,
+/// (c_a + c_b) / (c_a / T_b + c_b / T_a): then no heads give a negative dissipation. Both are equal where the
+/// aperture changes along that side alone.
+Corners conductancesOf(const Gradients& gradients, const Corners& transmissivity);
 
 }  // namespace talus::flow

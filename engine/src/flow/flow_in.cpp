@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "flow/conditions.h"
@@ -29,6 +30,14 @@ std::string formatted(const char* format, double value) {
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), format, value);
     return text.data();
+}
+
+/// Of all boundaries.
+std::string namesOf(const Flow& flow) {
+    std::string names;
+    for (const FlowBoundary& boundary : flow.boundaries)
+        names += (names.empty() ? "given: \"" : ", \"") + boundary.name + "\"";
+    return names;
 }
 
 bool isDry(const Network& network, const Conditions& conditions, std::size_t triangle) {
@@ -58,24 +67,48 @@ std::optional<Error> doubtOf(const std::vector<std::int32_t>& unreached, const N
                                  model.joints[static_cast<std::size_t>(first.joint)].name + "\""};
 }
 
+/// Water enters at a head and can leave nowhere: one boundary with its head is all of a connected part.
+/// Where several have heads, still water may be meant.
+std::vector<Error> sealedHeads(const Network& network, const Conditions& conditions, const Flow& flow) {
+    const std::vector<std::int32_t> part = connectedParts(network);
+    std::map<std::int32_t, std::set<std::int32_t>> boundaries_of;  // of each part
+    for (std::size_t n = 0; n < part.size(); ++n)
+        if (conditions.boundary[n] >= 0 && conditions.of[n] != Condition::dry)
+            boundaries_of[part[n]].insert(conditions.boundary[n]);
+    std::set<std::int32_t> sealed;
+    for (const auto& [of, boundaries] : boundaries_of)
+        if (boundaries.size() == 1) sealed.insert(*boundaries.begin());
+    std::vector<Error> doubts;
+    for (const std::int32_t k : sealed) {
+        const FlowBoundary& boundary = flow.boundaries[static_cast<std::size_t>(k)];
+        doubts.push_back({boundary.field,
+                          "nothing drains the water of \"" + boundary.name + "\": no other boundary (" +
+                              namesOf(flow) + ") lies on the joints that it reaches, where water stands at " +
+                              formatted("%.4g", boundary.head) +
+                              " m; without this warning: an outlet or another head where water leaves"});
+    }
+    return doubts;
+}
+
 /// Makes the result out of the heads.
 class Answer {
  public:
     Answer(const State& state, const Flow& flow, const Network& network, const Conditions& conditions,
-           const std::vector<double>& aperture)
+           const std::vector<Corners>& aperture)
         : model_(state.geometry->model),
           origin_(state.geometry->origin),
           flow_(flow),
           network_(network),
           conditions_(conditions),
           unit_weight_(flow.density * model_.gravity.magnitude) {
-        for (const double b : aperture)
-            transmissivity_.push_back(transmissivity(unit_weight_, b, flow.viscosity));
-        into_.aperture = aperture;
+        for (const Corners& b : aperture) {
+            transmissivity_.push_back({alongSide(b[0], b[1]), alongSide(b[1], b[2]), alongSide(b[2], b[0])});
+            into_.aperture.push_back((b[0] + b[1] + b[2]) / 3);
+        }
     }
 
-    Result<SteadyFlow> solve() {
-        Heads heads = solveHeads(network_, conditions_, transmissivity_, flow_.free_surface);
+    Result<SteadyFlow> solve(const Telling& telling) {
+        Heads heads = solveHeads(network_, conditions_, transmissivity_, flow_.free_surface, {}, telling);
         if (!heads.found) return Error{flow_.field, faultOf(heads)};
         into_.ramp = heads.ramp;
         into_.iterations = heads.iterations;
@@ -87,21 +120,25 @@ class Answer {
         addTriangles();
         addBoundaries();
         addSurface();
-        warnOfUnreached();
+        warnOfParts();
         return std::move(into_);
     }
 
  private:
+    double alongSide(double from, double to) const {
+        return taperedTransmissivity(unit_weight_, from, to, flow_.viscosity);
+    }
+
     std::string faultOf(const Heads& heads) const {
         const std::string tried = " after " + std::to_string(heads.iterations) +
                                   " iterations; the last one left " + formatted("%.2g", heads.residual) +
                                   " of the inflow unbalanced at a node; allowed: ";
-        const auto [least, most] = std::minmax_element(transmissivity_.begin(), transmissivity_.end());
+        const auto [least, most] = std::ranges::minmax(into_.aperture);
         const std::string apertures = "apertures that differ less; the largest is " +
-                                      formatted("%.2g", std::cbrt(*most / *least)) + " times the smallest";
+                                      formatted("%.2g", most / least) + " times the smallest";
         if (!flow_.free_surface) return "found no heads that balance the flow" + tried + apertures;
         const std::string finer = "a finer network (flow.refinements), or free_surface = false";
-        return "found no free surface" + tried + finer + (*most > *least ? "; or " + apertures : "");
+        return "found no free surface" + tried + finer + (most > least ? "; or " + apertures : "");
     }
 
     void addNodes() {
@@ -132,16 +169,20 @@ class Answer {
 
     bool isDry(std::size_t t) const { return flow::isDry(network_, conditions_, t); }
 
-    /// Per width of the joint: -T k grad h.
+    /// Per width of the joint: the flow along each side, over the triangle's area. With one aperture it is
+    /// -T k grad h, because sum of c_ij (x_j - x_i)(x_j - x_i)^T is the area times the identity.
     Vec3 dischargeIn(std::size_t t) const {
         if (isDry(t)) return Vec3::Zero();
         const Gradients g = gradientsOf(network_, t);
-        Vec3 gradient = Vec3::Zero();
+        const Corners conductance = conductancesOf(g, transmissivity_[t]);
         const auto head = [&](std::size_t k) {
             return into_.head[static_cast<std::size_t>(network_.triangles[t][k])];
         };
-        for (std::size_t k = 1; k < 3; ++k) gradient += (head(k) - head(0)) * g.of[k];
-        return -transmissivity_[t] * into_.wet_share[t] * gradient;
+        Vec3 flow = Vec3::Zero();
+        for (std::size_t k = 0, next = 1; k < 3; ++k, next = (k + 1) % 3)
+            flow +=
+                conductance[k] * (head(k) - head(next)) * (network_.corner(t, next) - network_.corner(t, k));
+        return into_.wet_share[t] / g.area * flow;
     }
 
     /// Inflow at the nodes of a boundary that are of one condition.
@@ -206,11 +247,13 @@ class Answer {
         into_.highest_surface = std::max(into_.highest_surface, height);
     }
 
-    void warnOfUnreached() {
+    void warnOfParts() {
         const std::vector<std::int32_t> unreached = unreachedPatches(network_, conditions_);
         into_.unreached_patches = unreached.size();
         if (const auto doubt = doubtOf(unreached, network_, flow_, model_))
             into_.warnings.push_back(doubt->field + ": " + doubt->message);
+        for (const Error& doubt : sealedHeads(network_, conditions_, flow_))
+            into_.warnings.push_back(doubt.field + ": " + doubt.message);
     }
 
     const Model& model_;
@@ -218,43 +261,49 @@ class Answer {
     const Flow& flow_;
     const Network& network_;
     const Conditions& conditions_;
-    double unit_weight_;                  ///< of water [N/m^3]
-    std::vector<double> transmissivity_;  ///< of each triangle [m^2/s]
+    double unit_weight_;                   ///< of water [N/m^3]
+    std::vector<Corners> transmissivity_;  ///< of each triangle, along its sides [m^2/s]
     SteadyFlow into_;
 };
 
 }  // namespace
 
-std::vector<double> statedApertures(const Network& network, const Flow& flow) {
-    std::vector<double> apertures;
-    for (std::size_t t = 0; t < network.triangles.size(); ++t)
-        apertures.push_back(apertureOf(flow, network.patch(t).joint));
+std::vector<Corners> statedApertures(const Network& network, const Flow& flow) {
+    std::vector<Corners> apertures;
+    for (std::size_t t = 0; t < network.triangles.size(); ++t) {
+        const double b = apertureOf(flow, network.patch(t).joint);
+        apertures.push_back({b, b, b});
+    }
     return apertures;
 }
 
-Result<SteadyFlow> flowIn(const State& state, const Flow& flow) {
+Result<SteadyFlow> flowIn(const State& state, const Flow& flow, const Telling& telling) {
     const Model& model = state.geometry->model;
-    const Network network = networkOf(state, flow.refinements);
+    const Network network = networkOf(state, flow.refinements, flow.boundaries);
     if (network.triangles.empty() && !model.is_remainder)
         return Error{flow.field,
                      "found no joint between two blocks that touch, one of them free; allowed: "
                      "flow in a model with joints"};
-    return flowThrough({network, statedApertures(network, flow), model.gravity.tilt}, state, flow);
+    return flowThrough({network, statedApertures(network, flow), model.gravity.tilt}, state, flow, telling);
 }
 
-Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const Flow& flow) {
+Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const Flow& flow,
+                               const Telling& telling) {
     const Geometry& geometry = *state.geometry;
     const auto conditions = conditionsOf(joints.network, flow, geometry.model, geometry.origin, joints.tilt);
     if (!conditions) return conditions.errors();
-    return Answer(state, flow, joints.network, *conditions, joints.aperture).solve();
+    return Answer(state, flow, joints.network, *conditions, joints.aperture).solve(telling);
 }
 
-std::optional<Error> unreachedParts(const State& state, const Flow& flow) {
+std::vector<Error> doubtsOf(const State& state, const Flow& flow) {
     const Model& model = state.geometry->model;
-    const Network network = networkOf(state, 0);
+    const Network network = networkOf(state, 0, flow.boundaries);
     const auto conditions = conditionsOf(network, flow, model, state.geometry->origin, model.gravity.tilt);
-    if (!conditions) return std::nullopt;
-    return doubtOf(unreachedPatches(network, *conditions), network, flow, model);
+    if (!conditions) return {};
+    std::vector<Error> doubts = sealedHeads(network, *conditions, flow);
+    if (auto unreached = doubtOf(unreachedPatches(network, *conditions), network, flow, model))
+        doubts.push_back(std::move(*unreached));
+    return doubts;
 }
 
 }  // namespace flow

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kOutletSwitches = 60;  // of full joints
 constexpr int kSteps = 300;          // most networks take 40; half as many suffice for all that were drawn
+constexpr double kOrders = -9;       // log10 of the imbalance at the end, for progress
 constexpr double kRounding = 1e-13;  // of the inflow: no step can lower that
 
 // Steps, as multiples of a node's storage over its conductance. bench/studies/free-surface.md has what half and
@@ -25,9 +26,10 @@ constexpr double kWorse = 4;    // imbalance over that before the step: what is 
 
 class Solver {
  public:
-    Solver(const Network& network, const Conditions& conditions, const std::vector<double>& transmissivity,
-           const FreeSurface& surface)
+    Solver(const Network& network, const Conditions& conditions, const std::vector<Corners>& transmissivity,
+           const FreeSurface& surface, const Telling& telling)
         : conditions_(conditions),
+          telling_(telling),
           equations_(network, conditions, transmissivity, surface),
           heads_(Vector::Zero(static_cast<Eigen::Index>(network.nodes.size()))) {}
 
@@ -47,12 +49,22 @@ class Solver {
     }
 
  private:
+    /// How many of the orders of magnitude the imbalance has fallen by. \param residual  0: not known yet
+    void tell(double residual) const {
+        if (!telling_) return;
+        const double done = residual > 0 ? std::clamp(std::log10(residual) / kOrders, 0.0, 1.0) : 0.0;
+        telling_(
+            {"flow", done,
+             std::to_string(conditions_.of.size()) + " nodes, iteration " + std::to_string(iterations_)});
+    }
+
     /// Heads of full joints. \return whether outlets still open and close
     bool fill() {
         equations_.openOutlets();
         heads_.setZero();
         bool switched = true;
         for (int k = 0; switched && k < kOutletSwitches; ++k, ++iterations_) {
+            tell(0);
             solveFull();
             switched = equations_.switchOutlets(heads_, equations_.inflows(heads_, equations_.full()));
         }
@@ -97,6 +109,7 @@ class Solver {
             const Vector inflow = equations_.inflows(heads_, equations_.wetnessOf(heads_, ramp));
             const bool switched = equations_.switchOutlets(heads_, inflow);
             residual_ = equations_.imbalance(inflow);
+            tell(residual_);
             if (!switched && equations_.isBalanced(heads_, inflow)) return polish(ramp), true;
             equations_.hold(heads_);
             const auto [heads, growth] = stepped(ramp, step);
@@ -159,6 +172,7 @@ class Solver {
     }
 
     const Conditions& conditions_;
+    const Telling& telling_;
     Equations equations_;
     Vector heads_;  ///< above the datum [m]
     Eigen::SimplicialLDLT<SparseMatrix> cholesky_;
@@ -171,8 +185,9 @@ class Solver {
 }  // namespace
 
 Heads solveHeads(const Network& network, const Conditions& conditions,
-                 const std::vector<double>& transmissivity, bool free_surface, const FreeSurface& surface) {
-    Solver solver(network, conditions, transmissivity, surface);
+                 const std::vector<Corners>& transmissivity, bool free_surface, const FreeSurface& surface,
+                 const Telling& telling) {
+    Solver solver(network, conditions, transmissivity, surface, telling);
     return free_surface ? solver.withFreeSurface() : solver.full();
 }
 

@@ -11,12 +11,16 @@
 // The storage of a node is proportional to its conductances, so that all nodes change at one rate. The longer
 // the steps, the nearer they are to Newton's. If the ramp does not settle at once, wider ones come first.
 
+#include <functional>
 #include <vector>
 
 #include "flow/conditions.h"
 #include "flow/equations.h"
+#include "talus/control.h"
 
 namespace talus::flow {
+
+using Telling = std::function<void(const Progress&)>;  ///< as Control::progress; empty: nobody listens
 
 struct Heads {
     std::vector<double> head;       ///< of each node; nan where no head reaches [m]
@@ -28,9 +32,9 @@ struct Heads {
     bool found = false;
 };
 
-/// \param transmissivity  of each triangle [m^2/s]
+/// \param transmissivity  of each triangle, along its sides 0-1, 1-2, 2-0 [m^2/s]
 Heads solveHeads(const Network& network, const Conditions& conditions,
-                 const std::vector<double>& transmissivity, bool free_surface,
-                 const FreeSurface& surface = {});
+                 const std::vector<Corners>& transmissivity, bool free_surface,
+                 const FreeSurface& surface = {}, const Telling& telling = {});
 
 }  // namespace talus::flow

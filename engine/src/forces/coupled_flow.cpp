@@ -46,7 +46,7 @@ double pressureChange(const std::vector<double>& before, const std::vector<doubl
 
 CoupledFlow::CoupledFlow(const State& built)
     : flow_(*built.geometry->model.flow),
-      network_(flow::networkOf(built, flow_.refinements)),
+      network_(flow::networkOf(built, flow_.refinements, flow_.boundaries)),
       stated_(flow::statedApertures(network_, flow_)) {}
 
 void CoupledFlow::takeAsStated(State& state) const {
@@ -64,11 +64,13 @@ std::vector<double> CoupledFlow::opened(const State& state) const {
     return opened;
 }
 
-std::vector<double> CoupledFlow::apertures(const State& state) const {
+std::vector<flow::Corners> CoupledFlow::apertures(const State& state) const {
     const std::vector<double> change = opened(state);
-    std::vector<double> apertures(stated_.size());
+    std::vector<flow::Corners> apertures = stated_;
     for (std::size_t t = 0; t < apertures.size(); ++t)
-        apertures[t] = flow::hydraulicAperture(stated_[t], change[flow::kPlaces * t], flow_.residual_share);
+        for (std::size_t k = 0; k < 3; ++k)
+            apertures[t][k] = flow::hydraulicAperture(stated_[t][k], change[flow::kPlaces * t + 1 + k],
+                                                      flow_.residual_share);
     return apertures;
 }
 
@@ -87,7 +89,7 @@ ApertureDoubts CoupledFlow::doubtsOf(const State& state) const {
     const std::vector<double> change = opened(state);
     for (std::size_t t = 0; t < stated_.size(); ++t)
         if (carriesWater(state, t))
-            add(stated_[t], std::span(change).subspan(flow::kPlaces * t).first<flow::kPlaces>(),
+            add(stated_[t][0], std::span(change).subspan(flow::kPlaces * t).first<flow::kPlaces>(),
                 flow_.residual_share, doubts);
     return doubts;
 }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "flow/network.h"
+#include "flow/upstream.h"
 #include "state/arrays.h"
 #include "talus/flow.h"
 
@@ -24,7 +25,7 @@ namespace talus::flow_water {
 /// count as zero. 0 where there is no pressure.
 double pressureChange(const std::vector<double>& before, const std::vector<double>& after);
 
-/// How far one aperture for each triangle, and none above a cap, are true of the joints of a state.
+/// How far a linear pressure on each triangle, and no aperture above a cap, are true of the joints of a state.
 struct ApertureDoubts {
     double taper = 1;        ///< of a wet triangle, at most: largest aperture at a corner over the smallest
     std::size_t wet = 0;     ///< triangles that carry water
@@ -59,14 +60,14 @@ class CoupledFlow {
 
  private:
     std::vector<double> opened(const State& state) const;  ///< at the places of flow::openings [m]
-    std::vector<double> apertures(const State& state) const;
+    std::vector<flow::Corners> apertures(const State& state) const;
     bool carriesWater(const State& state, std::size_t triangle) const;
     double tiltOf(const State& state) const;
     void putIn(State& state, SteadyFlow flow) const;
 
     const Flow flow_;
     const flow::Network network_;
-    std::vector<double> stated_;  ///< aperture of each triangle [m]
+    std::vector<flow::Corners> stated_;  ///< apertures, one a triangle at all its corners [m]
     std::optional<double> tilt_from_{};
     double weight_ = 1;       ///< share of a change that is put in
     double last_change_ = 0;  ///< of the pass before

@@ -100,6 +100,8 @@ std::vector<Error> Search::build() {
     for (std::string& doubt : checks::doubts(*built_)) built_->warnings.push_back(std::move(doubt));
     for (const Error& doubt : checks::wetStrengthOfDryJoints(*rest_))
         built_->warnings.push_back(doubt.field + ": " + doubt.message);
+    if (varied_ == Varied::tilt)
+        if (auto doubt = checks::flowOfOtherTilt(*rest_)) built_->warnings.push_back(std::move(*doubt));
     for (std::string& line : heldAtTimeZero(*rest_)) built_->warnings.push_back(std::move(line));
     warnOfLooseBlocks();
     stopDrivenBlocks();

@@ -3,8 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <random>
 
+#include "flow/cubic_law.h"
 #include "flow/linear_system.h"
 #include "flow/solve.h"
 #include "support/flow_network.h"
@@ -19,7 +23,7 @@ struct Dam : FlowNetwork {
     Dam() : FlowNetwork(gridDam(3, 3, 1, {1, 1, 1}, 2.4, 0.6)) {}
 
     // Of 1 m2/s each, so that differences of inflows compare with 1.
-    std::vector<double> unit = std::vector(network.triangles.size(), 1.0);
+    std::vector<flow::Corners> unit = std::vector(network.triangles.size(), flow::Corners{1, 1, 1});
     flow::Equations equations{network, conditions, unit};
 
     flow::Vector anyHeads(unsigned seed) const {
@@ -55,6 +59,63 @@ TEST_CASE("flow equations: the derivative is that of the inflows, by differences
                     CHECK(std::abs(derivative(i, j) - slope[i]) < 1e-4 * (1 + std::abs(slope[i])));
         }
     }
+}
+
+namespace {
+
+/// A triangle with its angles somewhere between flat and equal.
+flow::Network drawnTriangle(std::mt19937& random) {
+    std::uniform_real_distribution<double> share(0, 1);
+    flow::Network network;
+    network.nodes = {{0, 0, 0}, {1, 0, 0}, {share(random), 0.02 + share(random), 0}};
+    network.triangles = {{0, 1, 2}};
+    return network;
+}
+
+flow::Corners alongSides(const flow::Corners& aperture) {
+    return {flow::taperedTransmissivity(1, aperture[0], aperture[1], 1),
+            flow::taperedTransmissivity(1, aperture[1], aperture[2], 1),
+            flow::taperedTransmissivity(1, aperture[2], aperture[0], 1)};
+}
+
+}  // namespace
+
+TEST_CASE("flow equations: flow along the slope of an aperture leaves a triangle as a linear head's does") {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi);
+    for (int draw = 0; draw < 300; ++draw) {
+        const flow::Network network = drawnTriangle(random);
+        const double turn = angle(random);
+        const Vec3 along(std::cos(turn), std::sin(turn), 0);
+        const flow::Gradients gradients = flow::gradientsOf(network, 0);
+        const flow::Corners even = flow::conductancesOf(gradients, {1, 1, 1});
+        if (std::ranges::min(even) < 0) continue;  // no obtuse angle
+        const auto x = [&](std::size_t k) { return network.corner(0, k).dot(along); };
+        const auto b = [&](std::size_t k) { return 2 + x(k); };
+        const flow::Corners tapered = flow::conductancesOf(gradients, alongSides({b(0), b(1), b(2)}));
+        for (std::size_t k = 0, next = 1; k < 3; ++k, next = (k + 1) % 3) {
+            // b^3 dh/dx = 12 has h = -6 / b^2.
+            const double fall = 6 / (b(k) * b(k)) - 6 / (b(next) * b(next));
+            CHECK(std::abs(tapered[k] * fall - even[k] * (x(next) - x(k))) < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("flow equations: however apertures differ, a triangle with an obtuse angle dissipates") {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> share(0, 1);
+    int obtuse = 0;
+    for (int draw = 0; draw < 1000; ++draw) {
+        const flow::Network network = drawnTriangle(random);
+        const auto aperture = [&] { return std::pow(10.0, share(random)); };
+        const auto c = flow::conductancesOf(flow::gradientsOf(network, 0),
+                                            alongSides({aperture(), aperture(), aperture()}));
+        // The form sum of c_ij (h_i - h_j)^2 is positive where its two principal minors are.
+        CHECK(c[0] + c[1] + c[2] > 0);
+        CHECK(c[0] * c[1] + c[1] * c[2] + c[2] * c[0] > 0);
+        obtuse += std::ranges::min(c) < 0 ? 1 : 0;
+    }
+    CHECK(obtuse > 100);
 }
 
 TEST_CASE("flow equations: square polygons have an M-matrix, whatever the heads") {

@@ -49,8 +49,7 @@ TEST_CASE("coupled flow: while nothing has opened it is the flow as stated") {
 
 TEST_CASE("coupled flow: the head in a joint that opens like a wedge") {
     // b^3 dh/dx = -c with b = b0 + s x has h = h0 - c (1 / b0^2 - 1 / b^2) / (2 s).
-    double last = kInfinity;
-    for (const int refinements : {1, 2, 3, 4}) {
+    for (const int refinements : {0, 1, 2}) {
         CAPTURE(refinements);
         State state = coupledState(refinements);
         flow_water::CoupledFlow coupled(state);
@@ -64,10 +63,8 @@ TEST_CASE("coupled flow: the head in a joint that opens like a wedge") {
         double error = 0;
         for (std::size_t n = 0; n < flow.nodes.size(); ++n)
             error = std::max(error, std::abs(flow.head[n] - (5 - 4 * share(flow.nodes[n].x()))));
-        CHECK(error < 0.6 * last);
-        last = error;
+        CHECK(error < 1e-6 * 4);  // exact at the nodes of any mesh
     }
-    CHECK(last < 1e-2 * 4);
 }
 
 TEST_CASE("coupled flow: a pass puts the new pressure in, and the next one finds no change") {

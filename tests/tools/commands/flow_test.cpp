@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "support/files.h"
@@ -31,12 +32,19 @@ TEST_CASE("flow: a slope as JSON and as text") {
     CHECK(outflow == doctest::Approx(inflow).epsilon(1e-9));
     CHECK(found.at("imbalance_m3_s").get<double>() < 1e-12 * inflow);
     CHECK(found.at("unreached_patches") == 0);
+    const auto& mesh = found.at("mesh");
+    CHECK(mesh.at("refinements") == 1);
+    CHECK(mesh.at("triangles") == 4 * found.at("triangles").get<int>());
+    CHECK(std::abs(mesh.at("inflow_change").get<double>()) < 0.05);
+    CHECK(found.at("boundaries")[0].at("mesh_change") == mesh.at("inflow_change"));
+    CHECK(found.at("boundaries")[2].at("mesh_change").is_null());  // dry
     const auto& surface = found.at("free_surface");
     CHECK(surface.at("highest_m").get<double>() <= 8.5);
     CHECK(surface.at("lowest_m").get<double>() < surface.at("highest_m").get<double>());
     const Outcome text = runTalus({"flow", kSlope});
     REQUIRE(text.exit_code == 0);
-    for (const char* part : {"behind", "face", "inflow", "largest pressure", "free surface"})
+    for (const char* part :
+         {"behind", "face", "inflow", "with refinements = 1", "largest pressure", "free surface"})
         CHECK(text.out.find(part) != std::string::npos);
 }
 
