@@ -114,6 +114,35 @@ TEST_SUITE("physics") {
         }
     }
 
+    TEST_CASE("every result says where joints with cohesion are open in part") {
+        const auto says = [](const std::vector<std::string>& warnings) {
+            return std::any_of(warnings.begin(), warnings.end(), [](const std::string& line) {
+                return line.find("joints with cohesion are open in part") != std::string::npos;
+            });
+        };
+        const LeaningBlock block{1.5, 24, 12e3};
+        const double exact = block.factor(block.closed());
+        for (const PointRule::Kind rule : {PointRule::Kind::vertex, PointRule::Kind::corner}) {
+            const auto alone = safetyFactor(block.model(rule), {.interval = false});
+            REQUIRE(alone.ok());
+            CHECK(says(alone->warnings));
+            Model beside = block.model(rule);  // a large block that stands by itself
+            addBox(beside, "large", {3, 0, 0}, {30, 20, 1});
+            const auto both = safetyFactor(beside);
+            REQUIRE(both.ok());
+            CHECK(says(both->warnings));
+            CHECK(both->answer_interval->first == doctest::Approx(exact).epsilon(3e-3));
+        }
+        Model dilates = block.model(PointRule::Kind::distributed);
+        dilates.joints[0].dilation = radians(0.1);
+        const auto dilating = safetyFactor(dilates);
+        REQUIRE(dilating.ok());
+        CHECK(says(dilating->warnings));
+        const auto closed = safetyFactor(LeaningBlock{0.5, 24, 12e3}.model(PointRule::Kind::vertex));
+        REQUIRE(closed.ok());
+        CHECK_FALSE(says(closed->warnings));
+    }
+
     TEST_CASE("where a block topples, the interval includes its elastic pivot") {
         const Column soft{.stiffness = 1e10};
         std::pair<double, double> between;

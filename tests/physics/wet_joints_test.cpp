@@ -285,8 +285,44 @@ TEST_SUITE("physics") {
         while (wet->goesOn(wet->tilt() < jump ? radians(40) : radians(25))) ++rounds;
         CHECK(rounds <= 20);
         CHECK(wet->tilt() == doctest::Approx(jump).epsilon(1e-4));
-        CHECK(
-            wet->doubt().starts_with("what is wet changes abruptly with the tilt: the answer is for the "
-                                     "areas that are wet at 30 deg."));
+        CHECK(wet->doubt().starts_with(
+            "what is wet changes abruptly at 30 deg: the slope is stable below and fails above."));
+        CHECK(wet->stands() < jump);
+        CHECK(wet->fails() >= jump);
+    }
+
+    TEST_CASE("wet joints: a slope that fails where its base becomes wet at once has that critical angle") {
+        // Water level with the edge about which the model turns wets the base as soon as it leans that way.
+        for (const double wet_strength : {0.6, 0.5}) {
+            CAPTURE(wet_strength);
+            Model model = floorModel(25, 1e10);
+            addBox(model, "slab", {-1, 0, 0}, {1, 1, 0.5});
+            model.joints[0].wet_strength_factor = wet_strength;
+            model.seismic.horizontal = 0.37;
+            model.gravity.tilt = radians(-10);
+            model.analysis.start = radians(-10);
+            Water water;
+            water.kind = Water::Level::elevation;
+            water.level = {{0, 0.0}};
+            water.pair = std::pair(0, 1);
+            water.field = "water[0]";
+            model.waters = {water};
+            const auto found = criticalAngle(model);
+            REQUIRE(found.ok());
+            REQUIRE((found->status == SearchStatus::found));
+            for (const double beside : {-0.1, 0.1}) {
+                Model there = model;
+                there.gravity.tilt = found->answer + radians(beside);
+                there.analysis.start.reset();
+                const auto factor = safetyFactor(there);
+                REQUIRE(factor.ok());
+                CHECK((factor->answer > 1) == (beside < 0));
+            }
+            CHECK(found->answer_interval->first <= found->answer);
+            CHECK(found->answer_interval->second >= found->answer);
+            const auto limit = limitAnalysis(model, Varied::tilt);
+            REQUIRE(limit.ok());
+            CHECK(std::abs(limit->lower - found->answer) < radians(0.01));
+        }
     }
 }

@@ -154,7 +154,7 @@ void FailureKeeper::play(const FailingState& failing, KeptRun& kept, const Contr
     if (flow && !flow->coupled && load.varied == Varied::tilt)
         kept.run.warnings.emplace_back(
             "the flow of this run is that of the failing tilt; the search kept the flow of the scenario's "
-            "tilt. With flow.coupled = true the search follows the tilt");
+            "tilt. With flow.coupled = true, and no wet_strength_factor, the search follows the tilt");
     if (kept.run.interrupted) kept.exit_code = kInterrupted, kept.reason = "interrupted";
 }
 

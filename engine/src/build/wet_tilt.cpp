@@ -17,6 +17,7 @@ namespace {
 constexpr double kSameShare = 1e-3;
 constexpr double kSameTilt = 1e-6;  // [rad], between stable and failing: farther halving changes no answer
 constexpr int kMostRounds = 20;     // searches; most need two to four
+constexpr int kLooks = 32;          // tilts up to an answer at which wet shares are computed
 
 double startOf(const Model& model) { return model.analysis.start.value_or(model.gravity.tilt); }
 
@@ -61,10 +62,18 @@ void WetTilt::tiltTo(double tilt) {
 bool WetTilt::goesOn(double found) {
     const double start = startOf(*given_);
     const double answer = std::clamp(found, start, std::max(start, given_->analysis.stop));
+    if (answer > tilt() && rounds_ < kMostRounds) {
+        if (const auto between = wetterBefore(answer)) {
+            ++rounds_;
+            stands_ = tilt();
+            tiltTo(*between);
+            return true;
+        }
+    }
     const double change = largestChange(shares_, sharesAt(built_, answer));
     if (answer == tilt() || change <= kSameShare) return false;
     (answer > tilt() ? stands_ : fails_) = tilt();
-    if (++rounds_ == kMostRounds || fails_ - stands_ <= kSameTilt) {
+    if (++rounds_ >= kMostRounds || fails_ - stands_ <= kSameTilt) {
         doubtAt(answer, change);
         return false;
     }
@@ -72,9 +81,25 @@ bool WetTilt::goesOn(double found) {
     return true;
 }
 
+std::optional<double> WetTilt::wetterBefore(double answer) {
+    const std::vector<double> then = sharesAt(built_, answer);
+    double most = kSameShare;
+    std::optional<double> wettest;
+    for (int k = 1; k < kLooks; ++k) {
+        const double between = tilt() + (answer - tilt()) * k / kLooks;
+        const std::vector<double> now = sharesAt(built_, between);
+        double excess = 0;
+        for (std::size_t i = 0; i < now.size(); ++i)
+            excess = std::max(excess, now[i] - std::max(shares_[i], then[i]));
+        if (excess > most) most = excess, wettest = between;
+    }
+    return wettest;
+}
+
 void WetTilt::doubtAt(double answer, double change) {
-    doubt_ = "what is wet changes abruptly with the tilt: the answer is for the areas that are wet at " +
-             degreesText(tilt()) + ". With them it is " + degreesText(answer) +
+    doubt_ = "what is wet changes abruptly at " + degreesText(0.5 * (stands_ + fails_)) +
+             ": the slope is stable below and fails above. With the areas that are wet at " +
+             degreesText(tilt()) + " it would fail at " + degreesText(answer) +
              ", where the wet share of a joint differs by up to " + formatted("%.3g", 100 * change) +
              " % of its area";
 }

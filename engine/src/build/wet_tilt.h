@@ -5,6 +5,8 @@
 // strength. Let C(t) be the critical tilt of the joints that are wet at t. At the tilt t the slope fails if
 // C(t) <= t, so the tilt that is sought solves C(t) = t. It is found by repetition, t -> C(t), from the tilt
 // where the search starts. Where that leaves the range between stable and failing tilts, the range is halved.
+// From below that finds the least solution as long as nothing gets wetter on the way: the slope is then no
+// weaker at any tilt between, and stable there. Where more is wet at a tilt between, that tilt comes next.
 
 #include <memory>
 #include <optional>
@@ -31,13 +33,18 @@ class WetTilt {
     /// \return whether other areas are wet there. Then model() is the next one to search
     bool goesOn(double found);
 
-    /// A warning where no tilt solves the equation; "" otherwise.
+    /// A warning where no tilt solves the equation: the slope is stable at stands() and fails at fails(),
+    /// close together; "" otherwise.
     const std::string& doubt() const { return doubt_; }
+    double stands() const { return stands_; }  ///< [rad]
+    double fails() const { return fails_; }
 
  private:
     WetTilt(std::shared_ptr<const Model> given, State built);
     void tiltTo(double tilt);
     void doubtAt(double answer, double change);
+    /// Between tilt() and an answer, where most is wetter than at both; nothing if nothing is.
+    std::optional<double> wetterBefore(double answer);
 
     std::shared_ptr<const Model> given_;  ///< its joints are dry
     State built_;

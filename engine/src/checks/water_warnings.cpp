@@ -301,9 +301,11 @@ std::optional<std::string> flowOfOtherTilt(const Model& model) {
     if (!model.flow || model.flow->coupled) return std::nullopt;
     return model.flow->field + ": the pressure is that of the flow at the scenario's tilt, " +
            formatted("%.4g", degrees(model.gravity.tilt)) +
-           " deg, at every tilt, and turns with the blocks; set gravity.tilt_deg to the answer and search "
+           " deg, at every tilt, and turns with the blocks. Set gravity.tilt_deg to the answer and search "
            "for "
-           "the safety factor, or say coupled = true: the flow then follows the tilt";
+           "the safety factor, or set coupled = true without a wet_strength_factor: the flow then follows "
+           "the "
+           "tilt";
 }
 
 std::optional<std::string> flowAsStated(const Model& model, const std::string& why) {

@@ -151,7 +151,7 @@ template <class V>
 struct ShareOf {
     simd::MaskOf<V> counts{};  ///< whether the patch is partly open; else the point has the gap at its place
     V overlap{};               ///< mean over its share [m]
-    V closed{};                ///< share of its area
+    V closed{};                ///< closed area over the point's; corners may exceed 1
     /// How they grow with the overlap, which is affine over the patch, at its origin and with its slopes [1,
     /// m, m], and over 1 m.
     Triple<V> by_overlap{}, closed_by_overlap{};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forces/contact_forces.h"
 #include "forces/water.h"
 #include "forces/wet_walls.h"
 #include "state/point_layout.h"
@@ -89,9 +90,20 @@ bool addWaterOf(const State& state, std::size_t i, PointRange range, const Side&
     return any;
 }
 
-void addStrength(const contact::JointLaw& law, PointRange range, FramePoints& points) {
+/// Of each contact point, its area with cohesion over its own; empty: all of it.
+std::vector<double> cohesiveAreas(const State& state, std::size_t i) {
+    std::vector<double> areas;
+    if (!isDistributed(state) || !isPartlyOpen(state, i)) return areas;
+    for (const ContactPoint& point : contactPoints(state, i)) areas.push_back(point.cohesive);
+    return areas;
+}
+
+void addStrength(const contact::JointLaw& law, PointRange range, const std::vector<double>& cohesive,
+                 FramePoints& points) {
     for (std::size_t p = range.begin; p < range.end; ++p) {
-        const double strength = contact::shearStrength(law, points.area[p], points.normal[p], points.bond[p]);
+        const double share = cohesive.empty() ? 1.0 : cohesive[p - range.begin];
+        const double strength =
+            contact::shearStrength(law, points.area[p], points.normal[p], points.bond[p], share);
         const double shear = std::hypot(points.shear_1[p], points.shear_2[p]);
         const bool open = points.normal[p] == 0 && shear == 0;
         points.state[p] = open                                         ? PointState::open
@@ -110,7 +122,8 @@ void addReadings(const State& state, const FrameInterfaces& interfaces, FramePoi
     for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
         const PointRange range{static_cast<std::size_t>(interfaces.point_begin[i]),
                                static_cast<std::size_t>(interfaces.point_begin[i + 1])};
-        addStrength(state.laws[static_cast<std::size_t>(state.interfaces.joint[i])], range, points);
+        addStrength(state.laws[static_cast<std::size_t>(state.interfaces.joint[i])], range,
+                    cohesiveAreas(state, i), points);
         if (state.wet.size() == 0) continue;
         // Both walls of a fissure have the same water: it counts once.
         if (!addWaterOf(state, i, range, sideOf(state.interfaces, i, false), points))

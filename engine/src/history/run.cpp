@@ -9,6 +9,7 @@
 #include "build/wet_joints.h"
 #include "checks/closed_volumes.h"
 #include "checks/loose_blocks.h"
+#include "checks/open_cohesion.h"
 #include "checks/passing.h"
 #include "checks/plausible.h"
 #include "checks/water_warnings.h"
@@ -335,6 +336,7 @@ class TimeHistory {
         result.warnings = state_.warnings;
         if (auto pushed = checks::pushedAway(state_)) result.warnings.push_back(std::move(*pushed));
         if (state_.shear_lost > 0) result.warnings.push_back(ofLostShear());
+        if (auto open = checks::ofOpenCohesion(state_, {})) result.warnings.push_back(std::move(*open));
         return result;
     }
 

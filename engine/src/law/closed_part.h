@@ -47,7 +47,10 @@ TALUS_KERNEL void addPiece(const double (&shape)[3][3], const double (&overlap)[
 /// to the next and the last corner. Its length over |grad gap| is 2 s t / |overlap at that corner|, and
 /// int f g ds of two linear functions is a sixth of it times 2 f_0 g_0 + 2 f_1 g_1 + f_0 g_1 + f_1 g_0.
 TALUS_KERNEL void addBoundary(int tip, double s, double t, double tip_overlap, ClosedPart& sum) {
-    const double weight = s * t / (3 * (tip_overlap < 0 ? -tip_overlap : tip_overlap));
+    constexpr double kNone = 1e-100;  // [m]: the line is at the corner or along the far side, by rounding
+    const double depth = tip_overlap < 0 ? -tip_overlap : tip_overlap;
+    if (depth < kNone) return;
+    const double weight = s * t / (3 * depth);
     double first[3] = {0, 0, 0}, second[3] = {0, 0, 0};
     first[tip] = 1 - s, first[(tip + 1) % 3] = s;
     second[tip] = 1 - t, second[(tip + 2) % 3] = t;
@@ -165,7 +168,7 @@ TALUS_KERNEL V followsShare(const JointParameters<V>& joint, V bond) {
 /// The gap that the law takes [m]. A share without pressure that is closed in part keeps its cohesion: its gap
 /// is 0.
 /// \param overlap  mean over the share; none: the point's own place is open
-/// \param closed   share of its area that is closed
+/// \param closed   closed area over the point's, which corners may exceed
 template <class V>
 TALUS_KERNEL V gapOfShare(const JointParameters<V>& joint, V bond, V gap, V overlap, V closed) {
     using simd::both, simd::larger, simd::select;
@@ -174,7 +177,7 @@ TALUS_KERNEL V gapOfShare(const JointParameters<V>& joint, V bond, V gap, V over
     return gap + followsShare(joint, bond) * (shared - gap);
 }
 
-/// The share of a point's area that has cohesion. \param closed  share that is closed
+/// Area with cohesion over that of a point. \param closed  as above
 template <class V>
 TALUS_KERNEL V cohesiveShare(const JointParameters<V>& joint, V bond, V closed) {
     return V{} + 1.0 + followsShare(joint, bond) * (closed - 1.0);

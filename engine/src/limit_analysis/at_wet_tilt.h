@@ -2,6 +2,7 @@
 // The limit tilt of a model whose joints water weakens: the analysis is repeated until what is wet is that of
 // the limit (build/wet_tilt.h).
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -21,6 +22,13 @@ inline std::optional<double> tiltOf(const LimitResult& result) {
 }
 inline std::optional<double> tiltOf(const Ceiling& ceiling) { return ceiling.value; }
 
+/// Where what is wet changes abruptly: the limit lies there.
+inline void putWithin(const WetTilt& wet, LimitResult& result) {
+    result.status = SearchStatus::found;
+    result.lower = wet.stands(), result.upper = wet.fails();
+}
+inline void putWithin(const WetTilt& wet, Ceiling& ceiling) { ceiling = {wet.fails(), ""}; }
+
 /// \pre hasWetJoints(model). \param analyse  its result for a model whose joints water does not weaken
 /// \param doubt  that of WetTilt
 template <class T, class Analyse>
@@ -34,6 +42,8 @@ Result<T> atWetTilt(const Model& model, const Control& control, const Analyse& a
         const std::optional<double> tilt = found ? tiltOf(*found) : std::nullopt;
         if (tilt && wet->goesOn(*tilt)) continue;
         doubt = wet->doubt();
+        if (found && !doubt.empty() && std::isfinite(wet->stands()) && std::isfinite(wet->fails()))
+            putWithin(*wet, *found);
         return found;
     }
 }

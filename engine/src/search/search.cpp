@@ -60,6 +60,7 @@ Result<SearchResult> Search::run() {
         addGroups(course);
         addLimitEquilibrium();
         addInterval(course);
+        warnOfOpenCohesion(course);
         result_.time.beside += beside.seconds();
         return std::move(result_);
     }

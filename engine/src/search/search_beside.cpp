@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "checks/loose_blocks.h"
+#include "checks/open_cohesion.h"
 #include "contacts/limits.h"
 #include "equilibrium/release.h"
 #include "law/joint_laws.h"
@@ -11,7 +12,6 @@
 #include "measure/natural_order.h"
 #include "search/limit_load.h"
 #include "search/search_run.h"
-#include "search/search_warnings.h"
 #include "state/block_motion.h"
 #include "state/caller.h"
 
@@ -21,7 +21,7 @@ namespace {
 using checks::areTied, checks::freeMass, checks::massOf, checks::movingBlocks, checks::numbersOf;
 using equilibrium::Released;
 
-// Of the answer, and of the joints' area: a smaller effect of elastic joints is negligible.
+// Of the answer: a smaller effect of elastic joints is negligible.
 constexpr double kElasticEffect = 0.01;
 // Of the block size: blocks that move by less before they fail change lever arms by less than that share.
 constexpr double kLeans = 1e-3;
@@ -217,10 +217,10 @@ Result<SearchResult> Search::answerOf(const Model& model) const {
     return result;
 }
 
-std::optional<double> Search::addAnswerOf(const Model& model, const std::string& what) {
+Search::OtherAnswer Search::addAnswerOf(const Model& model, const std::string& what) {
     report("the interval", kPath, what);
     const Result<SearchResult> other = answerOf(model);
-    if (!other) return std::nullopt;
+    if (!other) return {};
     if (other->status == SearchStatus::interrupted)
         result_.answer_interval_reasons.first +=
             "; with " + what + " not completed, because it takes more work than the answer";
@@ -234,27 +234,41 @@ std::optional<double> Search::addAnswerOf(const Model& model, const std::string&
     } else if (other->status == SearchStatus::undecided) {
         low_reason += "; with " + what + " undecided";
     }
+    if (other->status != SearchStatus::found) return {};
     const double margin = kElasticEffect * std::abs(result_.answer);
-    if (other->status != SearchStatus::found || std::abs(other->answer - result_.answer) <= margin)
-        return std::nullopt;
+    if (std::abs(other->answer - result_.answer) <= margin) return {true, false, other->answer};
     if (other->answer < low) low = other->answer, low_reason = what;
     if (other->answer > high) high = other->answer, high_reason = what;
-    return other->answer;
+    return {true, true, other->answer};
+}
+
+const State& Search::lastEquilibrium(const Course& course) const {
+    return course.followed.stood ? course.followed.stood->state : course.path->state();
 }
 
 void Search::addClosedParts(const Course& course, bool turns) {
-    if (model_.points.kind != PointRule::Kind::vertex) return;
+    if (model_.points.kind == PointRule::Kind::distributed) return;
     const bool coheres =
-        course.followed.stood && partlyOpenCohesion(course.followed.stood->state) > kElasticEffect;
-    if (!turns && !coheres) return;
+        checks::openCohesion(lastEquilibrium(course), numbersOf(*rest_, result_.moving_blocks)) >
+        checks::kLeastOpenCohesion;
+    if (!coheres && !(turns && model_.points.kind == PointRule::Kind::vertex)) return;
     Model distributed = model_;
     distributed.points.kind = PointRule::Kind::distributed;
     const std::string what = std::string("pressure ") + (coheres ? "and cohesion " : "") +
                              "over the closed part of elastic joints";
-    const auto answer = addAnswerOf(distributed, what);
-    if (answer && coheres)
+    const OtherAnswer other = addAnswerOf(distributed, what);
+    closed_parts_known_ = other.is_found;
+    if (other.differs && coheres)
         result_.warnings.push_back("joints with cohesion are open in part: with " + what + " the answer is " +
-                                   axis().say(*answer));
+                                   axis().say(other.value));
+}
+
+void Search::warnOfOpenCohesion(const Course& course) {
+    const bool dilates = std::any_of(rest_->joints.begin(), rest_->joints.end(),
+                                     [](const Joint& joint) { return joint.dilation > 0; });
+    if (result_.status == SearchStatus::interrupted || (closed_parts_known_ && !dilates)) return;
+    auto warning = checks::ofOpenCohesion(lastEquilibrium(course), numbersOf(*rest_, result_.moving_blocks));
+    if (warning) result_.warnings.push_back(std::move(*warning));
 }
 
 void Search::addElasticity(const Course& course) {
@@ -272,9 +286,9 @@ void Search::addElasticity(const Course& course) {
         joint.shear_stiffness *= kStiffer;
     }
     const std::string what = "joints ten times as stiff";
-    if (const auto answer = addAnswerOf(stiff, what))
+    if (const OtherAnswer other = addAnswerOf(stiff, what); other.differs)
         result_.warnings.push_back("the answer depends on the stiffness of the joints: with " + what +
-                                   " it is " + axis().say(*answer));
+                                   " it is " + axis().say(other.value));
 }
 
 void Search::addInterval(const Course& course) {

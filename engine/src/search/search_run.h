@@ -133,8 +133,15 @@ class Search {
     void addElasticity(const Course& course);
     /// Contact points decide as a whole what is open; the closed part of a patch may be less.
     void addClosedParts(const Course& course, bool turns);
-    /// Of a slightly different model: widens the interval where the answer differs. \return that answer
-    std::optional<double> addAnswerOf(const Model& model, const std::string& what);
+    void warnOfOpenCohesion(const Course& course);
+    const State& lastEquilibrium(const Course& course) const;
+    /// A secondary answer: whether it was found, and differs from the search's by more than is negligible.
+    struct OtherAnswer {
+        bool is_found = false, differs = false;
+        double value = 0;
+    };
+    /// Of a slightly different model: widens the interval where the answer differs.
+    OtherAnswer addAnswerOf(const Model& model, const std::string& what);
     Result<SearchResult> answerOf(const Model& model) const;
     void lowerInterval(double answer, const std::string& reason);
 
@@ -175,6 +182,7 @@ class Search {
     std::optional<State> settled_{};  ///< when the weight was first in equilibrium
     UnloadedJoints unloaded_{};       ///< where the search begins, with more strength
     bool without_friction_ = false;
+    bool closed_parts_known_ = false;  ///< the answer with cohesion on closed parts was found
     std::int64_t factors_of_answer_ = 0;
     /// For a secondary answer: its limit of work, counted as in the result, and its interruption.
     std::int64_t most_factors_ = 0;

@@ -98,18 +98,6 @@ std::optional<std::string> ofJointsPressedIn(const State& state) {
 
 }  // namespace
 
-double partlyOpenCohesion(const State& state) {
-    double all = 0, open = 0;
-    for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
-        if (isIdle(state.interfaces, i)) continue;
-        const contact::JointLaw& law = state.laws[static_cast<std::size_t>(state.interfaces.joint[i])];
-        all += state.interfaces.area[i];
-        const bool coheres = law.cohesion > 0 || law.residual_cohesion > 0;
-        if (coheres && isPartlyOpen(state, i)) open += state.interfaces.area[i];
-    }
-    return all > 0 ? open / all : 0.0;
-}
-
 double lostCohesion(const State& state) {
     return lostShare(state,
                      [](const contact::JointLaw& law) { return law.cohesion > law.residual_cohesion; });

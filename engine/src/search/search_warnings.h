@@ -26,9 +26,6 @@ const char* nameOf(LostStrength::Kind kind);
 /// \param at_start  it fails before the search begins
 std::vector<std::string> searchWarnings(const State& built, const State& last, bool fails, bool at_start);
 
-/// Share of the area of joints that have cohesion and are open in part, 0..1.
-double partlyOpenCohesion(const State& state);
-
 /// Share of brittle joint area that has lost its cohesion, 0..1.
 double lostCohesion(const State& state);
 

@@ -1,5 +1,6 @@
 #include "search/wet_tilt_search.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -7,8 +8,10 @@
 #include "build/wet_joints.h"
 #include "build/wet_tilt.h"
 #include "frame/frame.h"
+#include "measure/words.h"
 #include "search/search_run.h"
 #include "state/caller.h"
+#include "talus/angles.h"
 #include "talus/searches.h"
 
 namespace talus::search {
@@ -89,6 +92,21 @@ std::vector<Error> makePlayable(const Model& model, const Control& control, Fail
     return {};
 }
 
+/// Where what is wet changes abruptly the slope fails at that tilt, though not with the areas of either side.
+void answerWithin(const WetTilt& wet, SearchResult& result) {
+    result.warnings.push_back(wet.doubt());
+    if (!std::isfinite(wet.stands()) || !std::isfinite(wet.fails())) return;
+    const double other = result.status == SearchStatus::found ? result.answer : wet.fails();
+    result.status = SearchStatus::found;
+    result.low = wet.stands(), result.high = wet.fails();
+    result.answer = 0.5 * (wet.stands() + wet.fails());
+    auto interval = result.answer_interval.value_or(std::pair(other, other));
+    result.answer_interval =
+        std::pair(std::min(interval.first, result.answer), std::max(interval.second, result.answer));
+    result.limit_equilibrium.reset();
+    result.failing.reset();
+}
+
 }  // namespace
 
 Result<SearchResult> findTiltOfWetJoints(const Model& model, const Control& control,
@@ -103,18 +121,31 @@ Result<SearchResult> findTiltOfWetJoints(const Model& model, const Control& cont
         if (!answer) return answer;
         const std::optional<double> tilt = tiltOf(*answer);
         if (!tilt && isStopped(control)) return answer;
+        if (!tilt) {
+            before.addTo(*answer);
+            answer->warnings.push_back("the joints are as wet as at " +
+                                       formatted("%.4g", degrees(wet->tilt())) + " deg of tilt");
+            return answer;
+        }
         before.take(*answer);
-        if (!tilt || !wet->goesOn(*tilt)) break;
+        if (!wet->goesOn(*tilt)) break;
     }
     Result<SearchResult> result =
         Search(Varied::tilt, wet->model(), within(control, kLastSearch, 1), rules).run();
     if (!result) return result;
     before.addTo(*result);
-    if (!wet->doubt().empty()) result->warnings.push_back(wet->doubt());
+    if (!wet->doubt().empty()) answerWithin(*wet, *result);
     if (!result->failing) return result;
     FailingState failing = *result->failing;
-    if (auto errors = makePlayable(model, control, failing); !errors.empty()) return errors;
-    result->failing = std::make_shared<const FailingState>(std::move(failing));
+    auto errors = makePlayable(model, control, failing);
+    if (errors.empty()) {
+        result->failing = std::make_shared<const FailingState>(std::move(failing));
+        return result;
+    }
+    result->failing.reset();
+    result->warnings.push_back(
+        "the failure is not played, because the model is refused at the failing tilt: " +
+        errors.front().field + ": " + errors.front().message);
     return result;
 }
 
