@@ -2,6 +2,7 @@
 
 #include "forces/contact_forces.h"
 #include "measure/words.h"
+#include "state/incidence.h"
 #include "state/point_layout.h"
 
 namespace talus::checks {
