@@ -2,9 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "support/flows.h"
 #include "support/models.h"
 #include "talus/analysis.h"
@@ -96,32 +93,6 @@ Model drainedSquare(double x, double y) {
 
 }  // namespace
 
-TEST_CASE("flow: a drain inside a joint carries 2 pi T dH / ln(r_e / r_w)") {
-    // r_e is the conformal radius of the square joint at its centre, r_w the conformal radius of the outside of
-    // the square drain: 4 sqrt(pi) / Gamma(1/4)^2 and Gamma(1/4)^2 / (4 pi^(3/2)) of their sides (Polya and
-    // Szego 1951, Isoperimetric Inequalities). What this leaves out is of the order (drain / joint)^4.
-    const double g2 = std::pow(std::tgamma(0.25), 2), pi = std::numbers::pi;
-    const double r_e = 4 * std::sqrt(pi) / g2 * kJoint, r_w = g2 / (4 * std::pow(pi, 1.5)) * kDrain;
-    Model model = drainedSquare(10, 10);
-    const double expected = 2 * pi * cubicLaw(*model.flow, 2e-4) * 5 / std::log(r_e / r_w);
-    // A refinement leaves 1 / 2^(4/3) of the error, as is usual about such corners.
-    for (const double within : {0.015, 0.005, 0.002}) {
-        CAPTURE(within);
-        const SteadyFlow found = solved(model);
-        CHECK(found.boundaries[0].outflow > expected);  // a mesh dissipates more
-        CHECK(found.boundaries[0].outflow < (1 + within) * expected);
-        ++model.flow->refinements;
-    }
-}
-
-TEST_CASE("flow: a drain may lie anywhere in a joint, beside all corners of its polygon") {
-    const double first = solved(drainedSquare(7, 10)).boundaries[0].outflow;
-    const double centre = solved(drainedSquare(10, 10)).boundaries[0].outflow;
-    CHECK(first > 1.01 * centre);  // nearer to a head
-    for (const auto& [x, y] : {std::pair(13.0, 10.0), {10.0, 7.0}, {10.0, 13.0}})
-        CHECK(solved(drainedSquare(x, y)).boundaries[0].outflow == doctest::Approx(first).epsilon(5e-3));
-}
-
 TEST_CASE("flow: a head that nothing drains is warned of, in the flow and in searches") {
     Model model = oneJoint({4, 1, 1}, flowAlongX(2e-4, 1.5, 0.5));
     CHECK(solved(model).warnings.empty());
@@ -167,29 +138,6 @@ TEST_CASE("flow: a second mesh says how far discharges depend on it") {
     CHECK(std::abs(meshChange(straight, solved(straight))->total) < 1e-12);
     const Model still = oneJoint({4, 1, 1}, flowAlongX(2e-4, 5, 5));
     CHECK(std::isnan(meshChange(still, *steadyFlow(still))->total));
-}
-
-TEST_CASE("flow: a drain carries the same where the polygons of four blocks meet in it") {
-    const Model whole = drainedSquare(10, 10);
-    Model model = floorModel(30);
-    model.flow = whole.flow;
-    widenFloor(model);
-    model.flow->aperture = 1e-6;  // between the blocks: tight
-    for (const double x : {0.0, 10.0})
-        for (const double y : {0.0, 10.0}) {
-            addBox(model, std::to_string(x + y / 2), {x, y, 0}, {10, 10, 1});
-            setBase(model, static_cast<std::int32_t>(model.blocks.size()) - 1, 2e-4);
-        }
-    const double found = solved(model).boundaries[0].outflow;
-    CHECK(found == doctest::Approx(solved(whole).boundaries[0].outflow).epsilon(3e-3));
-}
-
-TEST_CASE("flow: a head begins where its box does, inside a polygon") {
-    Flow flow = flowAlongX(2e-4, 5, 3);
-    flow.boundaries[1].face.reset();
-    flow.boundaries[1].box_min.x() = 2.7;
-    const SteadyFlow found = solved(oneJoint({4, 1, 1}, flow));
-    CHECK(found.inflow_sum == doctest::Approx(cubicLaw(flow, 2e-4) * 2 / 2.7).epsilon(1e-12));
 }
 
 TEST_CASE("flow: joints in series, of equal and of unequal apertures") {

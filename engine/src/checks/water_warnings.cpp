@@ -263,8 +263,7 @@ std::string ofTaper(const Flow& flow, const flow_water::ApertureDoubts& doubts) 
            ", at which apertures at the corners of a triangle differ by a factor of " +
            formatted("%.2g", doubts.taper) +
            " in the last equilibrium; the pressure is linear on each triangle, and the error of the "
-           "answer may be on the unsafe side; allowed without this warning: so many refinements that the "
-           "factor is "
+           "answer may be on the unsafe side; allowed without this warning: so many refinements that the factor is "
            "at most " +
            formatted("%.2g", kTaper);
 }

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <span>
 
-#include "flow/pieces.h"
 #include "model/gravity.h"
 
 namespace talus::flow {
 namespace {
 
 constexpr double kLooks = 0.5 - 1e-9;  // cosine of the 60 degrees within which a rock face looks a way
-constexpr double kNear = 1e-6;         // of the median patch: a head so far below a boundary reaches it
+constexpr double kNear = 1e-6;         // of the median patch: a node that far outside a box is in it
 
 class Places {
  public:
@@ -21,26 +19,27 @@ class Places {
     /// Calls with each node that a boundary takes, some of them several times.
     template <class Use>
     void each(const FlowBoundary& boundary, const Use& use) const {
-        const auto take = [&](std::span<const std::int32_t> nodes, std::size_t triangle) {
-            const double near = network_.same[static_cast<std::size_t>(network_.patch_of[triangle])];
-            for (const std::int32_t node : nodes)
-                if (isInBox(boundary, network_.nodes[static_cast<std::size_t>(node)] + origin_, near))
-                    use(node);
+        const auto take = [&](std::int32_t node) {
+            if (isInBox(boundary, network_.nodes[static_cast<std::size_t>(node)] + origin_)) use(node);
         };
         if (!boundary.face) {
             for (std::size_t t = 0; t < network_.triangles.size(); ++t)
-                if (isOfJoint(boundary, network_.patch(t).joint)) take(network_.triangles[t], t);
+                if (isOfJoint(boundary, t)) std::for_each_n(network_.triangles[t].begin(), 3, take);
             return;
         }
         for (const OpenEdge& edge : edges_)
-            if (isOfJoint(boundary, network_.patch(edge.triangle).joint) &&
-                edge.outward.dot(*boundary.face) >= kLooks)
-                take(edge.nodes, edge.triangle);
+            if (isOfJoint(boundary, edge.triangle) && edge.outward.dot(*boundary.face) >= kLooks)
+                std::for_each_n(edge.nodes.begin(), 2, take);
     }
 
  private:
-    /// Nodes are where the outline of the box is, or where corners that count as the same were before.
-    static bool isInBox(const FlowBoundary& boundary, const Vec3& x, double near) {
+    bool isOfJoint(const FlowBoundary& boundary, std::size_t triangle) const {
+        const auto& joints = boundary.joints;
+        return joints.empty() ||
+               std::find(joints.begin(), joints.end(), network_.patch(triangle).joint) != joints.end();
+    }
+    bool isInBox(const FlowBoundary& boundary, const Vec3& x) const {
+        const double near = kNear * network_.size;
         return (x.array() >= boundary.box_min.array() - near).all() &&
                (x.array() <= boundary.box_max.array() + near).all();
     }

@@ -180,8 +180,7 @@ class Answer {
         };
         Vec3 flow = Vec3::Zero();
         for (std::size_t k = 0, next = 1; k < 3; ++k, next = (k + 1) % 3)
-            flow +=
-                conductance[k] * (head(k) - head(next)) * (network_.corner(t, next) - network_.corner(t, k));
+            flow += conductance[k] * (head(k) - head(next)) * (network_.corner(t, next) - network_.corner(t, k));
         return into_.wet_share[t] / g.area * flow;
     }
 
@@ -279,7 +278,7 @@ std::vector<Corners> statedApertures(const Network& network, const Flow& flow) {
 
 Result<SteadyFlow> flowIn(const State& state, const Flow& flow, const Telling& telling) {
     const Model& model = state.geometry->model;
-    const Network network = networkOf(state, flow.refinements, flow.boundaries);
+    const Network network = networkOf(state, flow.refinements);
     if (network.triangles.empty() && !model.is_remainder)
         return Error{flow.field,
                      "found no joint between two blocks that touch, one of them free; allowed: "
@@ -297,7 +296,7 @@ Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const F
 
 std::vector<Error> doubtsOf(const State& state, const Flow& flow) {
     const Model& model = state.geometry->model;
-    const Network network = networkOf(state, 0, flow.boundaries);
+    const Network network = networkOf(state, 0);
     const auto conditions = conditionsOf(network, flow, model, state.geometry->origin, model.gravity.tilt);
     if (!conditions) return {};
     std::vector<Error> doubts = sealedHeads(network, *conditions, flow);

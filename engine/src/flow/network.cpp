@@ -5,8 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "flow/grading.h"
-#include "flow/pieces.h"
 #include "geometry/box_tree.h"
 #include "model/gravity.h"
 #include "state/closed_gap.h"
@@ -26,9 +24,8 @@ constexpr double kLevel = 1e-6;  // of the median patch: a network of less heigh
 
 struct Outline {
     Vec3 centre;
-    Ring corners;
-    double same = 0;        ///< distance within which another corner is the same node [m]
-    std::size_t patch = 0;  ///< that it is a piece of
+    std::vector<Vec3> corners;
+    double same = 0;  ///< distance within which another corner is the same node [m]
 };
 
 double smallerSize(const State& state, std::size_t interface) {
@@ -148,16 +145,13 @@ std::vector<std::int32_t> merged(const std::vector<Corner>& corners, std::vector
 /// Makes the fans of all patches.
 class Fans {
  public:
-    Fans(const State& state, std::span<const FlowBoundary> boundaries, Network& network)
-        : state_(state), network_(network) {
+    Fans(const State& state, Network& network) : state_(state), network_(network) {
         for (std::size_t i = 0; i < state.interfaces.size(); ++i) {
             if (!isJoint(state, i)) continue;
+            outlines_.push_back(outlineOf(state, i));
             patches_.push_back(patchOf(state, i));
-            addPieces(outlineOf(state, i), boundaries);
         }
     }
-
-    const std::vector<OutlineCorner>& drainCorners() const { return drain_corners_; }
 
     void make() {
         std::vector<Corner> corners;
@@ -169,30 +163,15 @@ class Fans {
         for (const Vec3& x : network_.nodes) boxes.push_back(boxAround(x, 0));
         tree_ = BoxTree(std::move(boxes));
         std::size_t first = 0;
-        for (const Outline& outline : outlines_) {
-            const std::size_t count = outline.corners.size();
-            add(outline, std::vector(node.begin() + static_cast<std::ptrdiff_t>(first),
-                                     node.begin() + static_cast<std::ptrdiff_t>(first + count)));
+        for (std::size_t p = 0; p < patches_.size(); ++p) {
+            const std::size_t count = outlines_[p].corners.size();
+            add(p, std::vector(node.begin() + static_cast<std::ptrdiff_t>(first),
+                               node.begin() + static_cast<std::ptrdiff_t>(first + count)));
             first += count;
         }
     }
 
  private:
-    /// The patch added last, whole or in pieces.
-    void addPieces(const Outline& outline, std::span<const FlowBoundary> boundaries) {
-        const std::int32_t joint = patches_.back().joint;
-        const Vec3& origin = state_.geometry->origin;
-        std::vector<Ring> pieces = piecesOf(outline.corners, joint, boundaries, origin, outline.same);
-        const bool is_whole = pieces.size() == 1;
-        for (Ring& piece : pieces) {
-            const Vec3 centre = is_whole ? outline.centre : centroidOf(piece);
-            outlines_.push_back({centre, std::move(piece), outline.same, patches_.size() - 1});
-        }
-        for (const OutlineCorner& corner :
-             cornersInside(outline.corners, joint, boundaries, origin, outline.same))
-            drain_corners_.push_back(corner);
-    }
-
     /// The outline with the nodes that other patches have on it, each node once.
     std::vector<std::int32_t> ringOf(const std::vector<std::int32_t>& corners, double same) const {
         std::vector<std::int32_t> ring;
@@ -232,36 +211,28 @@ class Fans {
     }
 
     /// Slivers whose corners are one node have no fan.
-    void add(const Outline& outline, const std::vector<std::int32_t>& corners) {
-        const std::vector<std::int32_t> ring = ringOf(corners, outline.same);
+    void add(std::size_t p, const std::vector<std::int32_t>& corners) {
+        const std::vector<std::int32_t> ring = ringOf(corners, outlines_[p].same);
         if (ring.size() < 3) return;
-        enterPatch(outline);
         const auto centre = static_cast<std::int32_t>(network_.nodes.size());
-        network_.nodes.push_back(outline.centre);
+        network_.nodes.push_back(outlines_[p].centre);
         for (std::size_t k = 0; k < ring.size(); ++k) {
             network_.triangles.push_back({centre, ring[k], ring[(k + 1) % ring.size()]});
-            network_.patch_of.push_back(static_cast<std::int32_t>(network_.patches.size()) - 1);
+            network_.patch_of.push_back(static_cast<std::int32_t>(network_.patches.size()));
         }
-    }
-
-    /// Pieces of a patch follow each other.
-    void enterPatch(const Outline& outline) {
-        const Patch& patch = patches_[outline.patch];
-        if (!network_.patches.empty() && network_.patches.back().interface == patch.interface) return;
-        network_.patches.push_back(patch);
-        network_.beside.push_back(facesBeside(state_, patch));
-        network_.same.push_back(outline.same);
+        network_.patches.push_back(patches_[p]);
+        network_.beside.push_back(facesBeside(state_, patches_[p]));
+        network_.same.push_back(outlines_[p].same);
     }
 
     const Vec3& at(std::int32_t node) const { return network_.nodes[static_cast<std::size_t>(node)]; }
 
     const State& state_;
     Network& network_;
-    std::vector<double> reach_;      ///< of each node: a corner that near is the same [m]
-    double widest_ = 0;              ///< of these [m]
-    std::vector<Outline> outlines_;  ///< of pieces
+    std::vector<double> reach_;  ///< of each node: a corner that near is the same [m]
+    double widest_ = 0;          ///< of these [m]
+    std::vector<Outline> outlines_;
     std::vector<Patch> patches_;
-    std::vector<OutlineCorner> drain_corners_;
     BoxTree tree_;
 };
 
@@ -328,14 +299,12 @@ double meanHeight(const Network& network, const Vec3& down) {
 
 }  // namespace
 
-Network networkOf(const State& state, int refinements, std::span<const FlowBoundary> boundaries) {
+Network networkOf(const State& state, int refinements) {
     Network network;
-    Fans fans(state, boundaries, network);
-    fans.make();
+    Fans(state, network).make();
     const Gravity& gravity = state.geometry->model.gravity;
     network.size = medianSide(network);
     network.height = meanHeight(network, downward(gravity, gravity.tilt));
-    grade({network.nodes, network.triangles, network.patch_of}, fans.drainCorners());
     for (int k = 0; k < refinements; ++k) refine(network);
     return network;
 }

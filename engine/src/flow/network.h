@@ -2,9 +2,8 @@
 // The mesh of the joint network: linear triangles on the patches where blocks touch. Patches share the nodes
 // along their common edges, so that water passes from one joint into another there.
 //
-// Each patch is a fan about its centroid, or a fan for each of the pieces that boundaries cut it into
-// (flow/pieces.h). Corners of other fans on an edge are nodes of that edge, too. The mesh is finer about drains
-// inside a joint (flow/grading.h). A plane section is the same mesh, one patch wide: on a rectangle with one head at either end
+// Each patch is a fan about its centroid. Corners of other patches on one of its edges are nodes of that
+// edge, too. A plane section is the same mesh, one patch wide: on a rectangle with one head at either end
 // linear triangles are exact.
 //
 // Reads: shapes' initial poses, interfaces of faces as built
@@ -12,11 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "state/arrays.h"
-#include "talus/flow_data.h"
 
 namespace talus::flow {
 
@@ -60,8 +57,7 @@ struct Network {
 };
 
 /// \param refinements  how often each triangle is divided into four
-/// \param boundaries   the outlines of their boxes are sides of triangles
-Network networkOf(const State& state, int refinements, std::span<const FlowBoundary> boundaries = {});
+Network networkOf(const State& state, int refinements);
 
 /// An edge at which a joint ends without meeting another one.
 struct OpenEdge {

@@ -46,7 +46,7 @@ double pressureChange(const std::vector<double>& before, const std::vector<doubl
 
 CoupledFlow::CoupledFlow(const State& built)
     : flow_(*built.geometry->model.flow),
-      network_(flow::networkOf(built, flow_.refinements, flow_.boundaries)),
+      network_(flow::networkOf(built, flow_.refinements)),
       stated_(flow::statedApertures(network_, flow_)) {}
 
 void CoupledFlow::takeAsStated(State& state) const {
@@ -69,8 +69,8 @@ std::vector<flow::Corners> CoupledFlow::apertures(const State& state) const {
     std::vector<flow::Corners> apertures = stated_;
     for (std::size_t t = 0; t < apertures.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k)
-            apertures[t][k] = flow::hydraulicAperture(stated_[t][k], change[flow::kPlaces * t + 1 + k],
-                                                      flow_.residual_share);
+            apertures[t][k] = flow::hydraulicAperture(
+                stated_[t][k], change[flow::kPlaces * t + 1 + k], flow_.residual_share);
     return apertures;
 }
 
