@@ -124,11 +124,11 @@ BatchOutcome computeBatch(const formats::Sweep& sweep, const BatchRequest& reque
         .identity = store.info().identity,
         .results = store.resultsPath(),
         .seed = store.info().seed};
-    const StoredBatch stored = readStored(request.folder);
     if (!request.shard.whole()) {
-        outcome.warnings = warningsOf(stored, request.shard);
+        outcome.warnings = warningsOf(readStored(request.folder, request.shard), request.shard);
         return outcome;
     }
+    const StoredBatch stored = readStored(request.folder);
     outcome.warnings = writeReport(request.folder, stored, request.common).warnings;
     if (ground && !stop) outcome.map = writeMaps(sweep, stored, *std::move(ground), request, stop);
     return outcome;

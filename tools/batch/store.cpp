@@ -381,31 +381,47 @@ void keepBetter(StoredBatch& stored, std::uint64_t run, std::string line) {
     if (!worse) there->second = std::move(line);
 }
 
-StoredBatch readStored(const std::string& folder) {
+namespace {
+
+StoredBatch emptyBatch(const std::string& folder) {
     const std::string info_path = folder + "/" + kInfoName;
     if (!std::filesystem::exists(info_path))
         throw BadInput(Error{"", "holds no batch (there is no " + std::string(kInfoName) + ")", folder});
-    StoredBatch stored{readInfo(info_path), {}};
+    return {readInfo(info_path), {}};
+}
+
+void addRows(const std::string& file, StoredBatch& stored) {
+    const std::string text = readAll(file);
+    const std::string header = csvHeader(stored.info);
+    if (!text.starts_with(header))
+        throw BadInput(Error{"", "has other columns than its batch.json says", file, 1, 1});
+    std::string_view rest = std::string_view(text).substr(header.size());
+    for (auto end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
+        const Row cells = csvFields(rest.substr(0, end));
+        const auto run = runNumber(cells);
+        if (run && cells.size() == stored.info.columns.size())
+            keepBetter(stored, *run, std::string(rest.substr(0, end)));
+        rest.remove_prefix(end + 1);
+    }
+}
+
+}  // namespace
+
+StoredBatch readStored(const std::string& folder) {
+    StoredBatch stored = emptyBatch(folder);
     std::vector<std::string> files;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
         if (name.starts_with("results.") && name.ends_with(".csv")) files.push_back(entry.path().string());
     }
     std::sort(files.begin(), files.end());
-    for (const std::string& file : files) {
-        const std::string text = readAll(file);
-        const std::string header = csvHeader(stored.info);
-        if (!text.starts_with(header))
-            throw BadInput(Error{"", "has other columns than its batch.json says", file, 1, 1});
-        std::string_view rest = std::string_view(text).substr(header.size());
-        for (auto end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
-            const Row cells = csvFields(rest.substr(0, end));
-            const auto run = runNumber(cells);
-            if (run && cells.size() == stored.info.columns.size())
-                keepBetter(stored, *run, std::string(rest.substr(0, end)));
-            rest.remove_prefix(end + 1);
-        }
-    }
+    for (const std::string& file : files) addRows(file, stored);
+    return stored;
+}
+
+StoredBatch readStored(const std::string& folder, const Shard& shard) {
+    StoredBatch stored = emptyBatch(folder);
+    addRows(folder + "/" + resultsName(shard), stored);
     return stored;
 }
 

@@ -119,6 +119,8 @@ struct StoredBatch {
     Row row(std::uint64_t run) const { return csvFields(lines.at(run)); }
 };
 StoredBatch readStored(const std::string& folder);
+/// The rows of one shard alone: those of others may be half written.
+StoredBatch readStored(const std::string& folder, const Shard& shard);
 
 /// Adds a run's row (without its line feed); a result replaces a failure, else the later one counts.
 void keepBetter(StoredBatch& stored, std::uint64_t run, std::string line);

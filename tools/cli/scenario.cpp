@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "cli/json.h"
 #include "cli/progress.h"
@@ -68,6 +69,11 @@ std::vector<std::string> warningsOf(const formats::Scenario& scenario,
         for (const std::string& warning : *list)
             if (std::find(all.begin(), all.end(), warning) == all.end()) all.push_back(warning);
     return all;
+}
+
+void refuse(const formats::Scenario& scenario, const std::vector<Error>& errors) {
+    std::fputs(warningLines(scenario).c_str(), stderr);
+    throw BadInput(formats::placed(scenario, errors));
 }
 
 std::string warningLines(const formats::Scenario& scenario, const std::vector<std::string>& result) {

@@ -21,11 +21,14 @@ struct ScenarioInput {
     std::string name() const { return path == "-" ? "stdin" : path; }  ///< in messages and results
 };
 
+/// Throws BadInput. Warnings of the scenario, which often name the cause, go to stderr before.
+[[noreturn]] void refuse(const formats::Scenario& scenario, const std::vector<Error>& errors);
+
 /// The value of a result of the engine, whose errors know fields but not the places in the scenario file; or
 /// BadInput.
 template <class T>
 T valueOf(Result<T> result, const formats::Scenario& scenario) {
-    if (!result.ok()) throw BadInput(formats::placed(scenario, result.errors()));
+    if (!result.ok()) refuse(scenario, result.errors());
     return std::move(*result);
 }
 

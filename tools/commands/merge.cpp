@@ -33,6 +33,10 @@ StoredBatch merged(const std::vector<std::string>& folders) {
             throw BadInput(Error{
                 "", "holds a different sweep from " + folders.front() + ", allowed: folders of one sweep",
                 folders[i]});
+        if (csvHeader(more.info) != csvHeader(all.info))
+            throw BadInput(Error{"", "has other columns than " + folders.front() +
+                                         ", as of another version; allowed: folders of one version",
+                                 folders[i]});
         if (more.info.runs > all.info.runs) all.info = more.info;
         for (auto& [run, line] : more.lines) keepBetter(all, run, std::move(line));
     }

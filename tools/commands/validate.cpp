@@ -61,7 +61,7 @@ int validate(const ValidateOptions& options) {
     ProgressPrinter progress(options.common);
     const std::vector<Error> errors = checkModel(scenario.model, controlOf(options.common, progress), &found);
     progress.finish();
-    if (!errors.empty()) throw BadInput(formats::placed(scenario, errors));
+    if (!errors.empty()) refuse(scenario, errors);
     if (!options.common.json) {
         printResult(summary(options.scenario.name(), scenario.model, found) +
                     warningLines(scenario, found.warnings));

@@ -1,6 +1,7 @@
 #include "checks/closed_volumes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -20,19 +21,22 @@ constexpr double kSameSides = 0.01;
 // depends on small tilts of the table.
 constexpr double kLeastDip = 10;
 
-// Of the length scale: an elevation given to six digits may stand so far above the walls' end.
+// Of the length scale and of the level: given to six digits it may stand so far above the walls' end.
 constexpr double kSameLevel = 1e-6;
 
 /// A volume that would run over before anything flows in: no level of a storm or a history is so high.
 std::optional<Error> filledTooHigh(const State& state, const Water& water, const Enclosure& enclosure) {
     const double filled = levelAt(water, 0);
-    if (filled <= enclosure.runs_over + kSameLevel * state.geometry->length_scale) return std::nullopt;
+    const double same = kSameLevel * std::max(state.geometry->length_scale, std::abs(filled));
+    if (filled <= enclosure.runs_over + same) return std::nullopt;
+    const bool overflows = water.overflow <= enclosure.runs_over;
     const bool by_elevation = water.kind == Water::Level::elevation;
     return Error{water.field + (by_elevation ? ".elevation" : ".depth"),
-                 "found a closed volume filled to " + formatted("%.4g", filled) + " m, " +
+                 "found a closed volume filled to " + formatted("%.7g", filled) + " m, " +
                      formatted("%.2g", filled - enclosure.runs_over) +
-                     " m above the level at which it runs over, where its walls end; allowed: at most " +
-                     formatted("%.6g", enclosure.runs_over) + " m"};
+                     " m above the level at which it runs over, " +
+                     (overflows ? "its overflow" : "where its walls end") + "; allowed: at most " +
+                     formatted("%.7g", enclosure.runs_over) + " m"};
 }
 
 std::optional<Error> openVolume(const State& state, std::size_t index) {

@@ -47,14 +47,6 @@ std::optional<std::string> undrainedOn(const State& state, std::size_t block) {
 
 constexpr const char* kWetsNothing = "it wets no free block";
 
-/// Given with a depth or with heads of 0.
-bool isNothing(const Water& water) {
-    if (water.kind == Water::Level::head) return water.head[0] == 0 && water.head[1] == 0;
-    return water.kind == Water::Level::depth &&
-           std::all_of(water.level.begin(), water.level.end(),
-                       [](const LevelPoint& point) { return point.value == 0; });
-}
-
 /// The scenario's key for where it stands.
 const char* levelKey(const Water& water) {
     if (water.kind == Water::Level::head) return ".head";
@@ -173,7 +165,8 @@ std::vector<Error> dryWaters(const State& state) {
     std::vector<Error> doubts;
     if (model.is_remainder || !(model.gravity.magnitude > 0)) return doubts;
     for (std::size_t w = 0; w < model.waters.size(); ++w) {
-        if (isNothing(model.waters[w])) continue;
+        // A share that does not reach up to the crack's base leaves the crack dry, as it says.
+        if (isNothing(model.waters[w]) || model.waters[w].is_share) continue;
         if (const auto dry = whyDry(state, w)) doubts.push_back(doubtOf(model, model.waters[w], *dry));
     }
     for (std::size_t w = 0; w < model.waters.size(); ++w)
@@ -192,7 +185,7 @@ namespace {
 /// What to look at where water pushes blocks off.
 std::string whyItPushes(const State& state) {
     if (const auto high = levelsAboveJoints(state); !high.empty())
-        return high.front().field + ": " + high.front().message;
+        return high.front().field + " stands above the upper end of its joint";
     if (state.geometry->model.flow)
         return "Heads of " + state.geometry->model.flow->field +
                " above the height of a joint's mouth press on its walls up to there: compare the heads with "
@@ -263,7 +256,8 @@ std::string ofTaper(const Flow& flow, const flow_water::ApertureDoubts& doubts) 
            ", at which apertures at the corners of a triangle differ by a factor of " +
            formatted("%.2g", doubts.taper) +
            " in the last equilibrium; the pressure is linear on each triangle, and the error of the "
-           "answer may be on the unsafe side; allowed without this warning: so many refinements that the factor is "
+           "answer may be on the unsafe side; allowed without this warning: so many refinements that the "
+           "factor is "
            "at most " +
            formatted("%.2g", kTaper);
 }

@@ -67,8 +67,8 @@ std::optional<Error> doubtOf(const std::vector<std::int32_t>& unreached, const N
                                  model.joints[static_cast<std::size_t>(first.joint)].name + "\""};
 }
 
-/// Water enters at a head and can leave nowhere: one boundary with its head is all of a connected part.
-/// Where several have heads, still water may be meant.
+/// Water enters at a head and can leave nowhere: it is the only boundary of each connected part that it
+/// reaches. Where several have heads, still water may be meant.
 std::vector<Error> sealedHeads(const Network& network, const Conditions& conditions, const Flow& flow) {
     const std::vector<std::int32_t> part = connectedParts(network);
     std::map<std::int32_t, std::set<std::int32_t>> boundaries_of;  // of each part
@@ -78,6 +78,9 @@ std::vector<Error> sealedHeads(const Network& network, const Conditions& conditi
     std::set<std::int32_t> sealed;
     for (const auto& [of, boundaries] : boundaries_of)
         if (boundaries.size() == 1) sealed.insert(*boundaries.begin());
+    for (const auto& [of, boundaries] : boundaries_of)
+        if (boundaries.size() > 1)
+            for (const std::int32_t k : boundaries) sealed.erase(k);
     std::vector<Error> doubts;
     for (const std::int32_t k : sealed) {
         const FlowBoundary& boundary = flow.boundaries[static_cast<std::size_t>(k)];

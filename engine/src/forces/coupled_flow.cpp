@@ -22,10 +22,12 @@ constexpr double kLess = 0.5;
 void add(double stated, std::span<const double, flow::kPlaces> opened, double residual_share,
          ApertureDoubts& doubts) {
     ++doubts.wet;
-    if (flow::isCapped(stated, opened[0])) ++doubts.capped;
-    doubts.most = std::max(doubts.most, 1 + opened[0] / stated);
+    const auto corners = opened.last<flow::kPlaces - 1>();
+    const double widest = *std::max_element(corners.begin(), corners.end());
+    if (flow::isCapped(stated, widest)) ++doubts.capped;
+    doubts.most = std::max(doubts.most, 1 + widest / stated);
     double least = kInfinity, most = 0;
-    for (const double u : opened.last<flow::kPlaces - 1>()) {
+    for (const double u : corners) {
         const double b = flow::hydraulicAperture(stated, u, residual_share);
         least = std::min(least, b), most = std::max(most, b);
     }

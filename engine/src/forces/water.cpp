@@ -328,10 +328,11 @@ std::optional<DryWater> whyDry(const State& state, std::size_t water) {
     return DryWater{DryWater::Why::table_too_low, table, lowest};
 }
 
-std::optional<JointLevel> jointLevel(const State& state, std::size_t water) {
+std::optional<JointLevel> jointLevel(const State& state, std::size_t water, bool over_time) {
     const Water& description = state.geometry->model.waters[water];
     if (description.kind == Water::Level::head || !hasTwoSides(state, water)) return std::nullopt;
-    Load load = atHighestLevel(state, water);
+    Load load = over_time ? atHighestLevel(state, water) : state.load;
+    if (!over_time) load.time = 0;
     load.water_share = 1;
     const PressureField field = pressureField(state, water, load);
     if (field.gradient.isZero()) return std::nullopt;

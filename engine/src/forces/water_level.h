@@ -7,7 +7,7 @@
 
 namespace talus {
 
-/// Heights along gravity above the model's origin, at the highest of a water's levels over time [m].
+/// Heights along gravity above the model's origin [m].
 struct JointLevel {
     double level = 0;  ///< as the scenario gives it: a depth or an elevation
     double table = 0;  ///< where the water table stands
@@ -17,6 +17,7 @@ struct JointLevel {
 
 /// Nothing for heads, for dry water, and for water before walls that all look one way, as a reservoir's.
 /// Reads: model, load, walls of water; poses as built
-std::optional<JointLevel> jointLevel(const State& state, std::size_t water);
+/// \param over_time  at the highest of its levels over time; else at that of time 0
+std::optional<JointLevel> jointLevel(const State& state, std::size_t water, bool over_time);
 
 }  // namespace talus

@@ -89,7 +89,7 @@ class StormSearch {
         if (isStopped(control_)) return {};
         if (!state) return state.errors();
         if (auto errors = checks::implausible(*state); !errors.empty()) return errors;
-        tell(checks::levelsAboveJoints(*state));
+        tell(checks::levelsAboveJoints(*state, true));
         tell(checks::leaksWithoutPressure(model_));
         const auto levels = search::levelsOver(*state, times, control_);
         result_.at_end = closedWaterReports(*state);

@@ -114,10 +114,16 @@ std::optional<Target> numberTarget(const Fields& fields, const std::string& key,
     return std::nullopt;
 }
 
+/// A level given as a share of its joint's height becomes two waters, at a level that the tilt decides: such
+/// files are read again.
+bool hasShares(const Model& model) {
+    return std::any_of(model.waters.begin(), model.waters.end(), [](const Water& w) { return w.is_share; });
+}
+
 /// Where a search starts and ends may follow from the tilt.
 bool putTilt(Scenario& scenario, double tilt_deg) {
     Model& model = scenario.model;
-    if (model.gravity.direction) return false;
+    if (model.gravity.direction || hasShares(model)) return false;
     const double tilt = tilt_deg * kRadPerDeg;
     const bool has_start = isGiven(scenario, "analysis.start_deg");
     const bool has_stop = isGiven(scenario, "analysis.stop_deg");
@@ -131,6 +137,7 @@ std::optional<Target> waterTarget(const Scenario& scenario, const FieldPath& pat
     const auto* index = path.size() > 2 ? std::get_if<std::size_t>(&path[1]) : nullptr;
     const auto* key = path.size() > 2 ? std::get_if<std::string>(&path[2]) : nullptr;
     if (!index || !key || *index >= scenario.model.waters.size()) return std::nullopt;
+    if (hasShares(scenario.model)) return std::nullopt;
     const std::size_t water = *index;
     if (path.size() == 3)
         if (auto target = numberTarget(kWaterFields, *key,
