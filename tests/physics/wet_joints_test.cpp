@@ -12,6 +12,7 @@
 #include "support/wet_slab.h"
 #include "talus/analysis.h"
 #include "talus/block_theory.h"
+#include "talus/formats/scenario.h"
 #include "talus/limit_analysis.h"
 #include "talus/simulation.h"
 #include "talus/storm.h"
@@ -289,6 +290,52 @@ TEST_SUITE("physics") {
             "what is wet changes abruptly at 30 deg: the slope is stable below and fails above."));
         CHECK(wet->stands() < jump);
         CHECK(wet->fails() >= jump);
+    }
+
+    TEST_CASE("wet joints: a slope that fails between two tilts at which less is wet fails there") {
+        // A block on two feet. At -15 deg the right one is wet, at 9 deg the left one, between both are.
+        const auto scenario = formats::parseScenario(R"(
+[analysis]
+start_deg = -15.0
+[gravity]
+tilt_deg = -15.0
+[seismic]
+horizontal = 0.2
+[material.rock]
+density = 2700.0
+[joint.default]
+normal_stiffness = 1e10
+shear_stiffness = 1e10
+friction_deg = 25.0
+wet_strength_factor = 0.6
+[[block]]
+name = "floor"
+box = { min = [-4, -2, -1], max = [4, 3, 0] }
+fixed = true
+[[block]]
+name = "slab"
+parts = [
+    { box = { min = [-1, 0, 0], max = [-0.9, 1, 0.1] } },
+    { box = { min = [0.9, 0, 0], max = [1, 1, 0.1] } },
+    { box = { min = [-1, 0, 0.1], max = [1, 1, 0.3] } },
+]
+[[water]]
+between = ["floor", "slab"]
+elevation = 0.1
+density = 1.0
+)",
+                                                     "feet.toml");
+        REQUIRE(scenario.ok());
+        const auto found = criticalAngle(scenario->model);
+        REQUIRE(found.ok());
+        REQUIRE((found->status == SearchStatus::found));
+        CHECK(degrees(found->answer) < 5);
+        for (const double beside : {-0.1, 0.1}) {
+            Model there = scenario->model;
+            there.gravity.tilt = found->answer + radians(beside);
+            there.analysis.start.reset();
+            CHECK((factorOf(there) > 1) == (beside < 0));
+        }
     }
 
     TEST_CASE("wet joints: a slope that fails where its base becomes wet at once has that critical angle") {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "build/build.h"
@@ -83,12 +84,16 @@ bool WetTilt::goesOn(double found) {
 
 std::optional<double> WetTilt::wetterBefore(double answer) {
     const std::vector<double> then = sharesAt(built_, answer);
+    const auto sum = [](const std::vector<double>& shares) {
+        return std::accumulate(shares.begin(), shares.end(), 0.0);
+    };
+    const double sum_at_ends = std::max(sum(shares_), sum(then));
     double most = kSameShare;
     std::optional<double> wettest;
     for (int k = 1; k < kLooks; ++k) {
         const double between = tilt() + (answer - tilt()) * k / kLooks;
         const std::vector<double> now = sharesAt(built_, between);
-        double excess = 0;
+        double excess = sum(now) - sum_at_ends;  // different joints may be wet at the two ends
         for (std::size_t i = 0; i < now.size(); ++i)
             excess = std::max(excess, now[i] - std::max(shares_[i], then[i]));
         if (excess > most) most = excess, wettest = between;

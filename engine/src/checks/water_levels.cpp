@@ -47,7 +47,7 @@ std::string textOf(const State& state, const JointLevel& water, bool is_depth) {
     };
     const double tilt_deg = degrees(state.geometry->model.gravity.tilt);
     return std::string("found a ") + (is_depth ? "depth" : "level") + " of " + metres(water.level) +
-           ", so that the water stands " + formatted("%.2g", above(water)) + " m" +
+           ", so that the water stands " + formatted("%.4g", above(water)) + " m" +
            " above the joint's upper end: at " + metres(water.table) + " instead of at most " +
            metres(water.high) +
            (tilt_deg == 0 ? ""

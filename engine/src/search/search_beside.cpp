@@ -247,11 +247,16 @@ const State& Search::lastEquilibrium(const Course& course) const {
 }
 
 void Search::addClosedParts(const Course& course, bool turns) {
-    if (model_.points.kind == PointRule::Kind::distributed) return;
-    const bool coheres =
-        checks::openCohesion(lastEquilibrium(course), numbersOf(*rest_, result_.moving_blocks)) >
-        checks::kLeastOpenCohesion;
-    if (!coheres && !(turns && model_.points.kind == PointRule::Kind::vertex)) return;
+    const PointRule::Kind rule = model_.points.kind;
+    if (rule == PointRule::Kind::distributed) return;
+    const double open =
+        checks::openCohesion(lastEquilibrium(course), numbersOf(*rest_, result_.moving_blocks));
+    // Four points bear a load anywhere between them: none opens.
+    const bool bears_anywhere = rule == PointRule::Kind::corner || rule == PointRule::Kind::quarter;
+    const bool has_cohesion = std::any_of(rest_->joints.begin(), rest_->joints.end(),
+                                          [](const Joint& joint) { return joint.cohesion > 0; });
+    const bool coheres = open > checks::kLeastOpenCohesion || (bears_anywhere && has_cohesion);
+    if (!coheres && !(turns && rule == PointRule::Kind::vertex)) return;
     Model distributed = model_;
     distributed.points.kind = PointRule::Kind::distributed;
     const std::string what = std::string("pressure ") + (coheres ? "and cohesion " : "") +

@@ -35,10 +35,10 @@ std::vector<std::string> told(const Model& model) {
     return all;
 }
 
-std::vector<std::string> levelsTold(Model model, const std::vector<Water>& waters) {
+std::vector<std::string> levelsTold(Model model, const std::vector<Water>& waters, bool over_time = false) {
     model.waters = waters;
     std::vector<std::string> all;
-    for (const Error& doubt : checks::levelsAboveJoints(*buildState(model, false)))
+    for (const Error& doubt : checks::levelsAboveJoints(*buildState(model, false), over_time))
         all.push_back(doubt.field + ": " + doubt.message);
     return all;
 }
@@ -135,7 +135,8 @@ TEST_SUITE("checks") {
         water.level = {{0, 4.0}};
         CHECK(levelsTold(model, {water}).empty());
         water.level = {{0, 1.0}, {1, 5.5}, {2, 0.0}};
-        auto all = levelsTold(model, {water});
+        CHECK(levelsTold(model, {water}).empty());  // at time 0
+        auto all = levelsTold(model, {water}, true);
         REQUIRE(all.size() == 1);
         CHECK(
             all[0].find("water[0]: found a depth of 5.5 m, so that the water stands 1.5 m above the joint's "
