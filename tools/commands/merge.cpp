@@ -34,8 +34,9 @@ StoredBatch merged(const std::vector<std::string>& folders) {
                 "", "holds a different sweep from " + folders.front() + ", allowed: folders of one sweep",
                 folders[i]});
         if (csvHeader(more.info) != csvHeader(all.info))
-            throw BadInput(Error{"", "has other columns than " + folders.front() +
-                                         ", as of another version; allowed: folders of one version",
+            throw BadInput(Error{"",
+                                 "has other columns than " + folders.front() +
+                                     ", as of another version; allowed: folders of one version",
                                  folders[i]});
         if (more.info.runs > all.info.runs) all.info = more.info;
         for (auto& [run, line] : more.lines) keepBetter(all, run, std::move(line));
