@@ -218,8 +218,7 @@ Gradients gradientsOf(const Network& network, std::size_t triangle) {
 Corners conductancesOf(const Gradients& gradients, const Corners& transmissivity) {
     Corners conductance{};
     for (std::size_t k = 0; k < 3; ++k)
-        conductance[k] =
-            -transmissivity[k] * gradients.area * gradients.of[k].dot(gradients.of[(k + 1) % 3]);
+        conductance[k] = -transmissivity[k] * gradients.area * gradients.of[k].dot(gradients.of[(k + 1) % 3]);
     const auto k = static_cast<std::size_t>(std::ranges::min_element(conductance) - conductance.begin());
     const double here = transmissivity[k], a = transmissivity[(k + 1) % 3], b = transmissivity[(k + 2) % 3];
     if (conductance[k] >= 0 || (here == a && here == b)) return conductance;

@@ -36,8 +36,8 @@ struct Wetness {
 class Equations {
  public:
     /// \param transmissivity  of each triangle, along its sides 0-1, 1-2, 2-0 [m^2/s]
-    Equations(const Network& network, const Conditions& conditions, const std::vector<Corners>& transmissivity,
-              const FreeSurface& surface = {});
+    Equations(const Network& network, const Conditions& conditions,
+              const std::vector<Corners>& transmissivity, const FreeSurface& surface = {});
 
     double height() const { return network_->height; }  ///< of a patch [m]
     double ramp() const { return ramp_; }               ///< of the answer [m]

@@ -183,7 +183,8 @@ class Answer {
         };
         Vec3 flow = Vec3::Zero();
         for (std::size_t k = 0, next = 1; k < 3; ++k, next = (k + 1) % 3)
-            flow += conductance[k] * (head(k) - head(next)) * (network_.corner(t, next) - network_.corner(t, k));
+            flow +=
+                conductance[k] * (head(k) - head(next)) * (network_.corner(t, next) - network_.corner(t, k));
         return into_.wet_share[t] / g.area * flow;
     }
 

@@ -18,7 +18,7 @@ Result<SteadyFlow> flowIn(const State& state, const Flow& flow, const Telling& t
 struct Joints {
     const Network& network;
     std::vector<Corners> aperture;  ///< hydraulic, at the corners of each triangle [m]
-    double tilt = 0;               ///< of gravity [rad]
+    double tilt = 0;                ///< of gravity [rad]
 };
 /// Errors: likewise.
 Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const Flow& flow,

@@ -71,8 +71,8 @@ std::vector<flow::Corners> CoupledFlow::apertures(const State& state) const {
     std::vector<flow::Corners> apertures = stated_;
     for (std::size_t t = 0; t < apertures.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k)
-            apertures[t][k] = flow::hydraulicAperture(
-                stated_[t][k], change[flow::kPlaces * t + 1 + k], flow_.residual_share);
+            apertures[t][k] = flow::hydraulicAperture(stated_[t][k], change[flow::kPlaces * t + 1 + k],
+                                                      flow_.residual_share);
     return apertures;
 }
 
