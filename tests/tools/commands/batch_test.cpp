@@ -82,7 +82,7 @@ TEST_CASE("a batch tells the warnings of its inputs and of its runs") {
     CHECK(warnings[0]["runs"] == 2);
     CHECK(warnings[0]["first_run"] == 0);
     CHECK(warnings[0]["numbers_differ"] == true);
-    CHECK(nlohmann::json::parse(contentOf(batch.out() + "/summary.json"))["warnings"] == warnings);
+    CHECK(Json::parse(contentOf(batch.out() + "/summary.json"))["warnings"] == warnings);
     CHECK(contentOf(batch.out() + "/report.html").find(said) != std::string::npos);
     const std::string results = batch.out() + "/results.csv";
     CHECK(cellOf(results, 1, "warnings").find(said + "1000: ") == 0);
