@@ -21,7 +21,7 @@ struct FlowNetwork {
         dry.flow.reset();
         return *buildState(std::move(dry), false);
     }();
-    flow::Network network = flow::networkOf(state, 0);
+    flow::Network network = flow::networkOf(state, 0, water.boundaries);
     flow::Conditions conditions = *flow::conditionsOf(network, water, model, Vec3::Zero(), 0);
     std::vector<flow::Corners> transmissivity = transmissivities();
 

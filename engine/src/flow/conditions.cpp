@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "flow/places.h"
 #include "model/gravity.h"
 
 namespace talus::flow {
 namespace {
 
-constexpr double kLooks = 0.5 - 1e-9;  // cosine of the 60 degrees within which a rock face looks a way
-constexpr double kNear = 1e-6;         // of the median patch: a node that far outside a box is in it
+constexpr double kNear = 1e-6;  // of the median patch: a node that far outside a box is in it
 
 class Places {
  public:
@@ -20,30 +20,23 @@ class Places {
     template <class Use>
     void each(const FlowBoundary& boundary, const Use& use) const {
         const auto take = [&](std::int32_t node) {
-            if (isInBox(boundary, network_.nodes[static_cast<std::size_t>(node)] + origin_)) use(node);
+            if (isInBox(network_.nodes[static_cast<std::size_t>(node)] + origin_, boundary.box_min,
+                        boundary.box_max, kNear * network_.size))
+                use(node);
         };
         if (!boundary.face) {
             for (std::size_t t = 0; t < network_.triangles.size(); ++t)
-                if (isOfJoint(boundary, t)) std::for_each_n(network_.triangles[t].begin(), 3, take);
+                if (takesJoint(boundary, network_.patch(t).joint))
+                    std::for_each_n(network_.triangles[t].begin(), 3, take);
             return;
         }
         for (const OpenEdge& edge : edges_)
-            if (isOfJoint(boundary, edge.triangle) && edge.outward.dot(*boundary.face) >= kLooks)
+            if (takesJoint(boundary, network_.patch(edge.triangle).joint) &&
+                takesFace(boundary, edge.outward))
                 std::for_each_n(edge.nodes.begin(), 2, take);
     }
 
  private:
-    bool isOfJoint(const FlowBoundary& boundary, std::size_t triangle) const {
-        const auto& joints = boundary.joints;
-        return joints.empty() ||
-               std::find(joints.begin(), joints.end(), network_.patch(triangle).joint) != joints.end();
-    }
-    bool isInBox(const FlowBoundary& boundary, const Vec3& x) const {
-        const double near = kNear * network_.size;
-        return (x.array() >= boundary.box_min.array() - near).all() &&
-               (x.array() <= boundary.box_max.array() + near).all();
-    }
-
     const Network& network_;
     Vec3 origin_;
     std::vector<OpenEdge> edges_;

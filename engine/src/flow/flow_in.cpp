@@ -282,7 +282,7 @@ std::vector<Corners> statedApertures(const Network& network, const Flow& flow) {
 
 Result<SteadyFlow> flowIn(const State& state, const Flow& flow, const Telling& telling) {
     const Model& model = state.geometry->model;
-    const Network network = networkOf(state, flow.refinements);
+    const Network network = networkOf(state, flow.refinements, flow.boundaries);
     if (network.triangles.empty() && !model.is_remainder)
         return Error{flow.field,
                      "found no joint between two blocks that touch, one of them free; allowed: "
@@ -300,7 +300,7 @@ Result<SteadyFlow> flowThrough(const Joints& joints, const State& state, const F
 
 std::vector<Error> doubtsOf(const State& state, const Flow& flow) {
     const Model& model = state.geometry->model;
-    const Network network = networkOf(state, 0);
+    const Network network = networkOf(state, 0, flow.boundaries);
     const auto conditions = conditionsOf(network, flow, model, state.geometry->origin, model.gravity.tilt);
     if (!conditions) return {};
     std::vector<Error> doubts = sealedHeads(network, *conditions, flow);

@@ -5,6 +5,9 @@
 #include <numeric>
 #include <utility>
 
+#include "flow/delaunay.h"
+#include "flow/footprints.h"
+#include "flow/grading.h"
 #include "geometry/box_tree.h"
 #include "model/gravity.h"
 #include "state/closed_gap.h"
@@ -299,13 +302,16 @@ double meanHeight(const Network& network, const Vec3& down) {
 
 }  // namespace
 
-Network networkOf(const State& state, int refinements) {
+Network networkOf(const State& state, int refinements, std::span<const FlowBoundary> boundaries) {
     Network network;
     Fans(state, network).make();
     const Gravity& gravity = state.geometry->model.gravity;
     network.size = medianSide(network);
     network.height = meanHeight(network, downward(gravity, gravity.tilt));
+    const std::vector<char> divided =
+        grade(network, footprintsOf(network, boundaries, state.geometry->origin));
     for (int k = 0; k < refinements; ++k) refine(network);
+    makeDelaunay(network, divided);
     return network;
 }
 

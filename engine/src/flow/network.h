@@ -3,7 +3,7 @@
 // along their common edges, so that water passes from one joint into another there.
 //
 // Each patch is a fan about its centroid. Corners of other patches on one of its edges are nodes of that
-// edge, too. A plane section is the same mesh, one patch wide: on a rectangle with one head at either end
+// edge, too. About a boundary that ends inside a patch the mesh is finer (flow/grading.h). A plane section is the same mesh, one patch wide: on a rectangle with one head at either end
 // linear triangles are exact.
 //
 // Reads: shapes' initial poses, interfaces of faces as built
@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "state/arrays.h"
+#include "talus/flow_data.h"
 
 namespace talus::flow {
 
@@ -57,7 +59,8 @@ struct Network {
 };
 
 /// \param refinements  how often each triangle is divided into four
-Network networkOf(const State& state, int refinements);
+/// \param boundaries   the mesh is finer where they end inside a patch
+Network networkOf(const State& state, int refinements, std::span<const FlowBoundary> boundaries = {});
 
 /// An edge at which a joint ends without meeting another one.
 struct OpenEdge {

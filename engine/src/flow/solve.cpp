@@ -12,10 +12,10 @@
 namespace talus::flow {
 namespace {
 
-constexpr int kOutletSwitches = 60;  // of full joints
-constexpr int kSteps = 300;          // most networks take 40; half as many suffice for all that were drawn
-constexpr double kOrders = -9;       // log10 of the imbalance at the end, for progress
-constexpr double kRounding = 1e-13;  // of the inflow: no step can lower that
+constexpr int kOutletSwitches = 300;  // of full joints: the wet part grows by about a row of nodes each time
+constexpr int kSteps = 300;           // most networks take 40; half as many suffice for all that were drawn
+constexpr double kOrders = -9;        // log10 of the imbalance at the end, for progress
+constexpr double kRounding = 1e-13;   // of the inflow: no step can lower that
 
 // Steps, as multiples of a node's storage over its conductance. bench/studies/free-surface.md has what half and
 // twice each of them does: no answer moves.

@@ -48,7 +48,7 @@ double pressureChange(const std::vector<double>& before, const std::vector<doubl
 
 CoupledFlow::CoupledFlow(const State& built)
     : flow_(*built.geometry->model.flow),
-      network_(flow::networkOf(built, flow_.refinements)),
+      network_(flow::networkOf(built, flow_.refinements, flow_.boundaries)),
       stated_(flow::statedApertures(network_, flow_)) {}
 
 void CoupledFlow::takeAsStated(State& state) const {

@@ -113,7 +113,7 @@ std::vector<double> wetAreas(const State& built) {
     if (!flow) return areas;
     const auto solved = flow::flowIn(built, *flow);
     if (!solved) return areas;  // the build has said why
-    const flow::Network network = flow::networkOf(built, flow->refinements);
+    const flow::Network network = flow::networkOf(built, flow->refinements, flow->boundaries);
     const double none = kSurface * network.size;
     for (std::size_t t = 0; t < network.triangles.size(); ++t) {
         std::array<double, 3> head{};

@@ -77,12 +77,12 @@ TEST_CASE("a batch tells the warnings of its inputs and of its runs") {
     const std::string said = "joint.default.residual_cohesion: 2000 is more than cohesion, ";
     CHECK(text.out.find("warning: 2 of 3 runs, with the numbers of run 0: " + said + "0: ") !=
           std::string::npos);
-    const Json warnings = batch.run().json()["warnings"];
+    const nlohmann::json warnings = batch.run().json()["warnings"];
     REQUIRE_FALSE(warnings.empty());  // that of lost cohesion comes after it
     CHECK(warnings[0]["runs"] == 2);
     CHECK(warnings[0]["first_run"] == 0);
     CHECK(warnings[0]["numbers_differ"] == true);
-    CHECK(Json::parse(contentOf(batch.out() + "/summary.json"))["warnings"] == warnings);
+    CHECK(nlohmann::json::parse(contentOf(batch.out() + "/summary.json"))["warnings"] == warnings);
     CHECK(contentOf(batch.out() + "/report.html").find(said) != std::string::npos);
     const std::string results = batch.out() + "/results.csv";
     CHECK(cellOf(results, 1, "warnings").find(said + "1000: ") == 0);

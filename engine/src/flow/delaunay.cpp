@@ -1,0 +1,89 @@
+#include "flow/delaunay.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace talus::flow {
+namespace {
+
+// Of the cotangents opposite a side, added: a side so little too long stays, and turns do not go round.
+constexpr double kRounding = 1e-9;
+
+using Edge = std::pair<std::int32_t, std::int32_t>;  // lower node first
+
+class Turning {
+ public:
+    Turning(Network& network, const std::vector<char>& patches) : network_(network) {
+        for (std::size_t t = 0; t < network.triangles.size(); ++t) {
+            for (std::size_t k = 0; k < 3; ++k) triangles_on_[edge(t, k)].push_back(t);
+            if (patches[static_cast<std::size_t>(network.patch_of[t])] != 0)
+                for (std::size_t k = 0; k < 3; ++k) left_.push_back(edge(t, k));
+        }
+    }
+
+    void make() {
+        while (!left_.empty()) {
+            const Edge edge = left_.back();
+            left_.pop_back();
+            if (isWrong(edge)) turn(edge);
+        }
+    }
+
+ private:
+    Edge edge(std::size_t t, std::size_t k) const {
+        return std::minmax({network_.triangles[t][k], network_.triangles[t][(k + 1) % 3]});
+    }
+    std::size_t cornerAcross(std::size_t t, const Edge& e) const {
+        std::size_t k = 0;
+        while (edge(t, k) != e) ++k;
+        return (k + 2) % 3;
+    }
+    double cotangentAcross(std::size_t t, const Edge& e) const {
+        const std::size_t k = cornerAcross(t, e);
+        const Vec3 a = network_.corner(t, (k + 1) % 3) - network_.corner(t, k),
+                   b = network_.corner(t, (k + 2) % 3) - network_.corner(t, k);
+        return a.dot(b) / a.cross(b).norm();
+    }
+
+    bool isWrong(const Edge& e) const {
+        const auto found = triangles_on_.find(e);
+        if (found == triangles_on_.end() || found->second.size() != 2) return false;
+        const auto [s, t] = std::pair(found->second[0], found->second[1]);
+        return network_.patch_of[s] == network_.patch_of[t] &&
+               cotangentAcross(s, e) + cotangentAcross(t, e) < -kRounding;
+    }
+
+    /// Of the two ways to halve a quadrangle, to the other one.
+    void turn(const Edge& e) {
+        const std::vector<std::size_t> both = triangles_on_.at(e);
+        triangles_on_.erase(e);
+        const std::size_t s = both[0], t = both[1], k = cornerAcross(s, e), l = cornerAcross(t, e);
+        const auto of_s = network_.triangles[s], of_t = network_.triangles[t];
+        const std::int32_t apex_s = of_s[k], from = of_s[(k + 1) % 3], to = of_s[(k + 2) % 3],
+                           apex_t = of_t[l];
+        network_.triangles[s] = {apex_s, from, apex_t};
+        network_.triangles[t] = {apex_t, to, apex_s};
+        replace(std::minmax({from, apex_t}), t, s);
+        replace(std::minmax({to, apex_s}), s, t);
+        triangles_on_[std::minmax({apex_s, apex_t})] = both;
+        for (const std::size_t each : both)
+            for (std::size_t corner = 0; corner < 3; ++corner) left_.push_back(edge(each, corner));
+    }
+
+    void replace(const Edge& on, std::size_t before, std::size_t now) {
+        std::ranges::replace(triangles_on_.at(on), before, now);
+    }
+
+    Network& network_;
+    std::map<Edge, std::vector<std::size_t>> triangles_on_;
+    std::vector<Edge> left_;
+};
+
+}  // namespace
+
+void makeDelaunay(Network& network, const std::vector<char>& patches) {
+    if (std::ranges::find(patches, 1) != patches.end()) Turning(network, patches).make();
+}
+
+}  // namespace talus::flow
