@@ -56,8 +56,9 @@ class Grading {
     bool isTooLarge(std::size_t t) const {
         const double side = length(longest(t));
         const std::array corners{network_.corner(t, 0), network_.corner(t, 1), network_.corner(t, 2)};
-        return std::ranges::any_of(
-            footprints(t), [&](const Footprint* footprint) { return side > mostSide(*footprint, corners); });
+        return std::ranges::any_of(footprints(t), [&](const Footprint* footprint) {
+            return side > footprint->size && side > mostSide(*footprint, corners);  // the first is quick
+        });
     }
 
     /// Divides its longest side. Neighbours that have a longer one there are divided first.

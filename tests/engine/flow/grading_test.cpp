@@ -98,7 +98,7 @@ double cotangentAcross(const Network& network, std::size_t t, std::pair<std::int
 
 TEST_CASE("grading: fine on the outline of a drain, coarse far away, and no node on a side") {
     for (const Footprint& footprint :
-         {drain(3, 5, 0.4, 0.4), drain(7.9, 0.1, 0.4, 0.4), drain(4, 4, 0.01, 3), drain(0.1, 4, 0.3, 0.3)}) {
+         {drain(3, 5, 0.4, 0.4), drain(7.9, 0.1, 0.4, 0.4), drain(4, 4, 0.08, 3), drain(0.1, 4, 0.3, 0.3)}) {
         Network network = threeAtAnEdge();
         const std::vector<char> divided = flow::grade(network, std::array{footprint});
         CHECK(divided[0] == 1);

@@ -6,6 +6,7 @@
 
 #include "../scenario/scenario_texts.h"
 #include "support/files.h"
+#include "support/slower.h"
 #include "support/terrains.h"
 #include "talus/formats/mesh.h"
 
@@ -109,6 +110,7 @@ TEST_CASE("terrain files: every ground makes the same blocks in all formats, and
     const TemporaryFolder folder;
     const Vec3 survey(451200, 5412300, 0);
     for (const Ground ground : kGrounds) {
+        if (kTriesFew && ground != kGrounds[0]) continue;
         const std::vector<double> z = heights(ground, kN);
         const TriangleSurface s = terrainOf(z, kN), far = terrainOf(z, kN, survey);
         const Model model =
