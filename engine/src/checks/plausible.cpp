@@ -342,7 +342,7 @@ std::vector<Error> implausible(const State& state) {
     return errors;
 }
 
-std::vector<std::string> doubts(const State& state) {
+std::vector<std::string> doubts(const State& state, bool over_time) {
     const Model& model = state.geometry->model;
     std::vector<Error> all = softJoints(state);
     const auto add = [&](std::vector<Error> more) {
@@ -351,7 +351,7 @@ std::vector<std::string> doubts(const State& state) {
     add(strongLoads(state));
     add(dilatesTooMuch(model));
     add(dryWaters(state));
-    add(levelsAboveJoints(state));
+    add(levelsAboveJoints(state, over_time));
     add(highWater(model));
     if (auto falls = nothingHolds(model)) all.push_back(std::move(*falls));
     std::vector<std::string> told;
@@ -361,7 +361,7 @@ std::vector<std::string> doubts(const State& state) {
 }
 
 std::vector<std::string> doubtsOfHistory(const State& state, bool parallel) {
-    std::vector<std::string> told = doubts(state);
+    std::vector<std::string> told = doubts(state, true);
     if (auto slowed = slowedByOne(state, parallel)) told.push_back(std::move(*slowed));
     for (const Error& stiff : stiffVolumes(state, parallel))
         told.push_back(stiff.field + ": " + stiff.message);

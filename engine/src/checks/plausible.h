@@ -28,9 +28,11 @@ std::vector<Error> implausible(const State& state);
 /// Doubts, values that are probably not intended. Joints are so soft that a block sinks a tenth of its size
 /// under its own weight, or dilate by more than their friction. Water wets no free block or stands high above
 /// the model. Nothing holds the blocks.
-std::vector<std::string> doubts(const State& state);
+/// \param over_time  levels above joints at each entry of their tables; else at time 0
+std::vector<std::string> doubts(const State& state, bool over_time = false);
 
-/// The same, and the block that makes a history's steps many times shorter than the median block would.
+/// The same over time, and the block that makes a history's steps many times shorter than the median block
+/// would.
 std::vector<std::string> doubtsOfHistory(const State& state, bool parallel);
 
 /// Loads that press a block into its joints by a tenth of its size; its weight has the same limit. A force is

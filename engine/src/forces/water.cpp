@@ -328,21 +328,19 @@ std::optional<DryWater> whyDry(const State& state, std::size_t water) {
     return DryWater{DryWater::Why::table_too_low, table, lowest};
 }
 
-std::optional<JointLevel> jointLevel(const State& state, std::size_t water, bool over_time) {
+std::optional<JointHeights> jointHeights(const State& state, std::size_t water) {
     const Water& description = state.geometry->model.waters[water];
-    if (description.kind == Water::Level::head || !hasTwoSides(state, water)) return std::nullopt;
-    Load load = over_time ? atHighestLevel(state, water) : state.load;
-    if (!over_time) load.time = 0;
-    load.water_share = 1;
-    const PressureField field = pressureField(state, water, load);
-    if (field.gradient.isZero()) return std::nullopt;
-    const Vec3 down = downward(state.geometry->model.gravity, load.tilt);
+    if (description.kind == Water::Level::head || description.density == 0 || state.drained[water] ||
+        !hasTwoSides(state, water))
+        return std::nullopt;
+    const Vec3 down = downward(state.geometry->model.gravity, state.load.tilt);
     Water all = description;
     all.ends_at_free_blocks = false;
     const JointEnds ends = endsOf(state, water, down, {*state.geometry, all});
     const auto height = [&](const Vec3& x) { return -down.dot(x + state.geometry->origin); };
-    return JointLevel{levelNow(state, water, load.time), heightOfTable(state, field, down), height(ends.low),
-                      height(ends.high)};
+    TableHeight table = tableHeight(state, water, state.load.tilt);
+    table.at_zero -= down.dot(state.geometry->origin);
+    return JointHeights{table, height(ends.low), height(ends.high)};
 }
 
 std::optional<MovedEnds> movedEnds(const State& state, std::size_t water) {

@@ -3,21 +3,20 @@
 
 #include <optional>
 
+#include "forces/water_table.h"
 #include "state/arrays.h"
 
 namespace talus {
 
 /// Heights along gravity above the model's origin [m].
-struct JointLevel {
-    double level = 0;  ///< as the scenario gives it: a depth or an elevation
-    double table = 0;  ///< where the water table stands
-    double low = 0;    ///< lowest end of the walls, those on fixed blocks included
-    double high = 0;   ///< highest end of the walls, likewise
+struct JointHeights {
+    TableHeight table{};  ///< where the water table stands, by the level
+    double low = 0;       ///< lowest end of the walls, those on fixed blocks included
+    double high = 0;      ///< highest end of the walls, likewise
 };
 
 /// Nothing for heads, for dry water, and for water before walls that all look one way, as a reservoir's.
-/// Reads: model, load, walls of water; poses as built
-/// \param over_time  at the highest of its levels over time; else at that of time 0
-std::optional<JointLevel> jointLevel(const State& state, std::size_t water, bool over_time);
+/// Reads: model, load.tilt, walls of water; poses as built
+std::optional<JointHeights> jointHeights(const State& state, std::size_t water);
 
 }  // namespace talus

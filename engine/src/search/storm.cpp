@@ -10,6 +10,7 @@
 #include "checks/closed_volumes.h"
 #include "checks/plausible.h"
 #include "checks/water_levels.h"
+#include "checks/water_warnings.h"
 #include "forces/closed_water.h"
 #include "measure/words.h"
 #include "search/filling.h"
@@ -89,7 +90,7 @@ class StormSearch {
         if (isStopped(control_)) return {};
         if (!state) return state.errors();
         if (auto errors = checks::implausible(*state); !errors.empty()) return errors;
-        tell(checks::levelsAboveJoints(*state, true));
+        tellOfTables(*state);
         tell(checks::leaksWithoutPressure(model_));
         const auto levels = search::levelsOver(*state, times, control_);
         result_.at_end = closedWaterReports(*state);
@@ -128,7 +129,8 @@ class StormSearch {
         if (result_.least) {
             Stand& stand = stands_[stand_at_[*result_.least]];
             result_.moving_blocks = std::move(stand.moving_blocks);
-            for (std::string& warning : stand.warnings) tell(std::move(warning));
+            for (std::string& warning : stand.warnings)
+                if (!isOfTable(warning)) tell(std::move(warning));
         }
         if (const auto first = firstFailing()) result_.failure_time = crossingBefore(*first);
         result_.interrupted = isStopped(control_);
@@ -142,6 +144,24 @@ class StormSearch {
     }
     void tell(const std::vector<Error>& doubts) {
         for (const Error& doubt : doubts) tell(doubt.field + ": " + doubt.message);
+    }
+
+    /// Of levels that are tables over time: the search at the least factor holds one of them. What it fills a
+    /// closed volume to, it tells itself.
+    void tellOfTables(const State& state) {
+        for (const auto& doubts : {checks::levelsAboveJoints(state, true), checks::dryWaters(state)})
+            for (const Error& doubt : doubts)
+                if (const std::string warning = doubt.field + ": " + doubt.message; isOfTable(warning))
+                    tell(warning);
+    }
+
+    /// Whether a warning is one of a level over time: of where it stands, or by a key of its own.
+    bool isOfTable(const std::string& warning) const {
+        return std::any_of(changing_.begin(), changing_.end(), [&](std::size_t w) {
+            const Water& water = model_.waters[w];
+            return !water.closed &&
+                   (warning.starts_with(water.field + ".") || checks::isOfLevelAboveJoint(warning, water));
+        });
     }
 
     bool goesOn() const { return errors_.empty() && !isStopped(control_); }

@@ -2,10 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "build/build.h"
 #include "checks/closed_volumes.h"
+#include "checks/plausible.h"
 #include "checks/water_levels.h"
 #include "support/models.h"
+#include "talus/simulation.h"
 
 using namespace talus;
 using namespace talus::test;
@@ -138,9 +142,9 @@ TEST_SUITE("checks") {
         CHECK(levelsTold(model, {water}).empty());  // at time 0
         auto all = levelsTold(model, {water}, true);
         REQUIRE(all.size() == 1);
-        CHECK(
-            all[0].find("water[0]: found a depth of 5.5 m, so that the water stands 1.5 m above the joint's "
-                        "upper end: at 5.5 m instead of at most 4 m") == 0);
+        CHECK(all[0].find(
+                  "water[0]: found a depth of 5.5 m at 1 s, so that the water stands 1.5 m above the joint's "
+                  "upper end: at 5.5 m instead of at most 4 m") == 0);
         water.kind = Water::Level::elevation;
         water.level = {{0, 4.5}};
         all = levelsTold(model, {water});
@@ -150,6 +154,45 @@ TEST_SUITE("checks") {
         all = levelsTold(model, {water});
         REQUIRE(all.size() == 1);
         CHECK(all[0].find("0.5359 m above the joint's upper end") != std::string::npos);
+    }
+
+    TEST_CASE("of levels over time the one farthest above counts at which no other joint feeds it") {
+        Model model = bench();
+        addBox(model, "top", {0, 0, 3}, {1, 1, 2});
+        Water low = behind(model), high = behind(model);
+        low.kind = high.kind = Water::Level::elevation;
+        low.pair = {{3, 2}}, low.walls.clear();                             // key and wall, up to 3 m
+        high.pair = {{4, 2}}, high.walls.clear(), high.field = "water[1]";  // up to 4 m
+        low.level = {{0, 1.0}, {10, 3.5}, {20, 3.8}, {30, 1.0}};
+        high.level = {{0, 3.1}, {10, 3.1}, {20, 3.9}, {30, 3.9}};
+        auto all = levelsTold(model, {low, high}, true);
+        REQUIRE(all.size() == 1);  // at 20 s the upper joint feeds it
+        CHECK(all[0].find("water[0]: found a level of 3.5 m at 10 s, so that") == 0);
+        high.level = {{0, 3.9}};
+        CHECK(levelsTold(model, {low, high}, true).empty());
+        low.level = {{0, 3.6}, {10, 1.0}};
+        all = levelsTold(model, {low}, true);
+        REQUIRE(all.size() == 1);
+        CHECK(all[0].find("3.6 m at 0 s") != std::string::npos);
+    }
+
+    TEST_CASE("a history looks at levels of all times, a search at those of time 0") {
+        Model model = bench();
+        model.waters = {behind(model)};
+        model.waters[0].level = {{0, 1.5}, {1, 4.5}};
+        const auto countOf = [&](const std::vector<std::string>& warnings) {
+            return std::count_if(warnings.begin(), warnings.end(), [&](const std::string& warning) {
+                return checks::isOfLevelAboveJoint(warning, model.waters[0]);
+            });
+        };
+        ModelCheck checked;
+        REQUIRE(checkModel(model, {}, &checked).empty());
+        CHECK(countOf(checked.warnings) == 1);
+        model.run.duration = 0.01;
+        const auto ran = run(model, {}, RunOutput{});
+        REQUIRE(ran.ok());
+        CHECK(countOf(ran->warnings) == 1);
+        CHECK(countOf(checks::doubts(*buildState(model, false))) == 0);
     }
 
     TEST_CASE("a reservoir may stand above the face that it presses on") {

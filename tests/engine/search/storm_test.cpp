@@ -116,6 +116,29 @@ TEST_SUITE("engine") {
         }
     }
 
+    TEST_CASE("storm: a level over time is doubted once, by its whole table") {
+        Model model = StormSlope{}.fissure.model(1e10);
+        Water& water = model.waters[0];
+        water.closed = false;
+        const auto toldOf = [&](const char* what) {
+            const StormResult result = computed(model, {.step = 1800});
+            return std::count_if(result.warnings.begin(), result.warnings.end(), [&](const auto& warning) {
+                return warning.find(what) != std::string::npos;
+            });
+        };
+        water.level = {{0, 0.05}, {1800, 2.0}, {3600, 1.0}};
+        CHECK(toldOf("found a depth of 2 m at 1800 s, so that the water stands") == 1);
+        CHECK(toldOf("above the joint's upper end") == 1);
+        // What is dry at the least factor is wet at another time.
+        water.kind = Water::Level::elevation;
+        water.base = 0.3;
+        model.joints[0].strength_over_time = {{0, 1}, {1800, 0.5}, {3600, 0.4}};
+        water.level = {{0, 0.5}, {1800, 0.2}, {3600, 0.2}};
+        CHECK(toldOf("it wets no free block") == 0);
+        water.level = {{0, 0.25}, {1800, 0.2}, {3600, 0.2}};
+        CHECK(toldOf("it wets no free block") == 1);
+    }
+
     TEST_CASE("storm: equal levels are searched for once, and a table of levels is followed as it is") {
         const StormSlope slope;
         Model model = slope.model();
