@@ -125,10 +125,13 @@ BatchOutcome computeBatch(const formats::Sweep& sweep, const BatchRequest& reque
         .results = store.resultsPath(),
         .seed = store.info().seed};
     if (!request.shard.whole()) {
-        outcome.warnings = warningsOf(readStored(request.folder, request.shard), request.shard);
+        StoredBatch rows = onlyRunsOf(store.info(), readStored(request.folder, request.shard));
+        outcome.beyond = rows.beyond;
+        outcome.warnings = warningsOf(std::move(rows), request.shard);
         return outcome;
     }
-    const StoredBatch stored = readStored(request.folder);
+    const StoredBatch stored = onlyRunsOf(store.info(), readStored(request.folder));
+    outcome.beyond = stored.beyond;
     outcome.warnings = writeReport(request.folder, stored, request.common).warnings;
     if (ground && !stop) outcome.map = writeMaps(sweep, stored, *std::move(ground), request, stop);
     return outcome;
@@ -146,6 +149,7 @@ Json batchJson(const BatchOutcome& outcome, const BatchRequest& request) {
             {"done", outcome.done},
             {"failed", outcome.failed},
             {"computed", outcome.computed},
+            {"rows_beyond", outcome.beyond},
             {"wall_seconds", number(outcome.wall_seconds)},
             {"interrupted", outcome.interrupted},
             {"identity", outcome.identity},

@@ -33,6 +33,7 @@ struct BatchRequest {
 
 struct BatchOutcome {
     std::uint64_t runs = 0, done = 0, failed = 0, computed = 0;
+    std::uint64_t beyond = 0;  ///< rows of a larger batch in the same file, which do not count
     double wall_seconds = 0;
     bool interrupted = false;
     std::string identity, results;

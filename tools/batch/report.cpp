@@ -56,6 +56,8 @@ Json opening(const Summary& summary) {
         blocks.push_back(paragraph("Not finished: " + std::to_string(info.runs - summary.done) +
                                        " runs are missing. Run the same command again to continue.",
                                    "alert"));
+    if (summary.beyond > 0)
+        blocks.push_back(paragraph(rowsBeyond(summary.beyond, "results.csv") + ".", "alert"));
     if (summary.all.ranges > 0) {
         blocks.push_back(paragraph(
             "In " + std::to_string(summary.all.ranges) + (summary.all.ranges == 1 ? " run" : " runs") +
@@ -306,6 +308,12 @@ Json origin(const Summary& summary, const Json& provenance) {
 }
 
 }  // namespace
+
+std::string rowsBeyond(std::uint64_t rows, const std::string& file) {
+    return std::to_string(rows) + (rows == 1 ? " row" : " rows") + " of a batch with more samples " +
+           (rows == 1 ? "stays" : "stay") + " in " + file + " and " + (rows == 1 ? "does" : "do") +
+           " not count";
+}
 
 Json batchReport(const Summary& summary, const Json& provenance) {
     Report report;

@@ -9,6 +9,9 @@
 
 namespace talus::tools::batch {
 
+/// "3 rows of a batch with more samples stay in results.csv and do not count"
+std::string rowsBeyond(std::uint64_t rows, const std::string& file);
+
 /// What the page shows, as report/README.md documents it.
 Json batchReport(const Summary& summary, const Json& provenance);
 

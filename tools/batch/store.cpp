@@ -381,13 +381,19 @@ void keepBetter(StoredBatch& stored, std::uint64_t run, std::string line) {
     if (!worse) there->second = std::move(line);
 }
 
+StoredBatch onlyRunsOf(const BatchInfo& info, StoredBatch stored) {
+    stored.info = info;
+    stored.beyond = std::erase_if(stored.lines, [&](const auto& line) { return line.first >= info.runs; });
+    return stored;
+}
+
 namespace {
 
 StoredBatch emptyBatch(const std::string& folder) {
     const std::string info_path = folder + "/" + kInfoName;
     if (!std::filesystem::exists(info_path))
         throw BadInput(Error{"", "holds no batch (there is no " + std::string(kInfoName) + ")", folder});
-    return {readInfo(info_path), {}};
+    return {.info = readInfo(info_path), .lines = {}};
 }
 
 void addRows(const std::string& file, StoredBatch& stored) {

@@ -115,12 +115,17 @@ struct StoredBatch {
     BatchInfo info;
     /// by run: its row, as text, since a million may come
     std::unordered_map<std::uint64_t, std::string> lines;
+    std::uint64_t beyond = 0;  ///< rows of a larger batch in the same folder, which are not among them
 
     Row row(std::uint64_t run) const { return csvFields(lines.at(run)); }
 };
 StoredBatch readStored(const std::string& folder);
 /// The rows of one shard alone: those of others may be half written.
 StoredBatch readStored(const std::string& folder, const Shard& shard);
+
+/// The runs of a sweep alone: the folder may hold those of an earlier one with more samples. \pre it has the
+/// identity of `info`
+StoredBatch onlyRunsOf(const BatchInfo& info, StoredBatch stored);
 
 /// Adds a run's row (without its line feed); a result replaces a failure, else the later one counts.
 void keepBetter(StoredBatch& stored, std::uint64_t run, std::string line);

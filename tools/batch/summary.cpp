@@ -204,6 +204,7 @@ std::string caseLabel(const BatchInfo& info, const Row& row) {
 Summary summarise(const StoredBatch& batch) {
     Summary summary;
     summary.info = batch.info;
+    summary.beyond = batch.beyond;
     const BatchInfo& info = summary.info;
     summary.value_columns = numericVaried(info);
     summary.all = emptyGroup(info, "", std::nullopt, info.runs);
@@ -257,6 +258,7 @@ Json toJson(const Summary& summary) {
     for (const auto& [status, count] : summary.statuses) statuses[status] = count;
     return {{"runs", info.runs},
             {"done", summary.done},
+            {"rows_beyond", summary.beyond},
             {"failed", summary.failed},
             {"analysis", info.analysis},
             {"answer", info.answerName()},

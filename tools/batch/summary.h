@@ -62,6 +62,7 @@ struct Summary {
     std::vector<Observation> observations;   ///< by run
     std::map<std::string, std::uint64_t> statuses;
     std::uint64_t done = 0, failed = 0;
+    std::uint64_t beyond = 0;  ///< rows of a larger batch that are left out
     std::vector<std::pair<std::uint64_t, std::string>> failures;  ///< the first ones: run and reason
     std::vector<WarningGroup> warnings;                           ///< of all runs, failed ones too
     Group all;

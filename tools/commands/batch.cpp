@@ -6,6 +6,7 @@
 
 #include "batch/mpi.h"
 #include "batch/outcome.h"
+#include "batch/report.h"
 #include "batch/schedule.h"
 #include "cli/failures.h"
 #include "cli/json.h"
@@ -53,6 +54,7 @@ std::string toText(const BatchOptions& options, const std::vector<std::string>& 
     if (tally.done < tally.runs)
         lines += tally.interrupted ? "interrupted: run the same command again to continue\n"
                                    : "another process is computing the others\n";
+    if (tally.beyond > 0) lines += rowsBeyond(tally.beyond, tally.results) + "\n";
     lines += warningLines(tally.warnings, tally.done) + "results in " + tally.results + "\n";
     if (options.shard.empty())
         lines += "report in " + options.folder + "/report.html\n";

@@ -26,6 +26,7 @@ batch::StoredBatch finishedBatch(const formats::Sweep& sweep, const std::string&
             Error{"folder",
                   "holds the batch of another sweep (" + stored.info.sweep + "), allowed: of " + sweep.path,
                   folder});
+    stored = batch::onlyRunsOf(info, std::move(stored));
     if (stored.lines.size() < info.runs)
         throw BadInput(Error{"folder",
                              "holds " + std::to_string(stored.lines.size()) + " of " +

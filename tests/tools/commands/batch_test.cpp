@@ -190,6 +190,41 @@ TEST_CASE("the same command repeats nothing, and continues with more samples") {
     CHECK(rowsOf(batch.out() + "/results.csv").size() == 7);
 }
 
+TEST_CASE("with fewer samples the rows of a larger batch stay, and nothing counts them") {
+    // Each run has a warning.
+    std::string scenario = blockScenario(5, 20);
+    scenario.insert(scenario.find("friction_deg"), "residual_cohesion = 2e3\n");
+    const BatchFolder batch(draws(7), "safety-factor", scenario);
+    REQUIRE(batch.run().json()["rows_beyond"] == 0);
+    const std::string results = batch.out() + "/results.csv", before = contentOf(results);
+    const auto sweepOf = [&](int samples) {
+        batch.folder.write("sweep.toml",
+                           "scenario = \"block.toml\"\nanalysis = \"safety-factor\"\n" + draws(samples));
+    };
+    sweepOf(3);
+    const Outcome text = runTalus({"batch", batch.path, "-o", batch.out(), "--quiet"});
+    CHECK(text.exit_code == 0);
+    CHECK(text.out.find("3 of 3 runs done; 0 computed") == 0);
+    CHECK(text.out.find("\n4 rows of a batch with more samples stay in " + results + " and do not count\n") !=
+          std::string::npos);
+    CHECK(text.out.find("warning: 3 of 3 runs") != std::string::npos);
+    CHECK(batch.run().json()["rows_beyond"] == 4);
+    CHECK(contentOf(results) == before);
+    const auto summary = nlohmann::json::parse(contentOf(batch.out() + "/summary.json"));
+    CHECK(summary["runs"] == 3);
+    CHECK(summary["done"] == 3);
+    CHECK(summary["rows_beyond"] == 4);
+    CHECK(summary["all"]["decided"] == 3);
+    CHECK(contentOf(batch.out() + "/report.html").find("4 rows of a batch with more") != std::string::npos);
+    // They count again once the sweep has as many samples.
+    sweepOf(7);
+    const Outcome again = batch.run();
+    CHECK(again.json()["computed"] == 0);
+    CHECK(again.json()["done"] == 7);
+    CHECK(again.json()["rows_beyond"] == 0);
+    CHECK(contentOf(results) == before);
+}
+
 TEST_CASE("the results of another sweep are not touched") {
     const BatchFolder batch(draws(2));
     REQUIRE(batch.run().exit_code == 0);
