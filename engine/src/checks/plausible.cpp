@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "checks/closed_volumes.h"
+#include "checks/joint_order.h"
 #include "checks/loose_blocks.h"
 #include "checks/strength_held.h"
 #include "checks/water_levels.h"
@@ -363,6 +364,7 @@ std::vector<std::string> doubts(const State& state, bool over_time) {
 std::vector<std::string> doubtsOfHistory(const State& state, bool parallel) {
     std::vector<std::string> told = doubts(state, true);
     if (auto slowed = slowedByOne(state, parallel)) told.push_back(std::move(*slowed));
+    for (const Error& weaker : weakerLater(state)) told.push_back(weaker.field + ": " + weaker.message);
     for (const Error& stiff : stiffVolumes(state, parallel))
         told.push_back(stiff.field + ": " + stiff.message);
     if (auto held = wetJointsHeld(state.geometry->model)) told.push_back(std::move(*held));

@@ -31,8 +31,8 @@ std::vector<Error> implausible(const State& state);
 /// \param over_time  levels above joints at each entry of their tables; else at time 0
 std::vector<std::string> doubts(const State& state, bool over_time = false);
 
-/// The same over time, and the block that makes a history's steps many times shorter than the median block
-/// would.
+/// The same over time, the block that makes a history's steps many times shorter than the median block would,
+/// and joints that become weaker than the one chosen at time 0.
 std::vector<std::string> doubtsOfHistory(const State& state, bool parallel);
 
 /// Loads that press a block into its joints by a tenth of its size; its weight has the same limit. A force is

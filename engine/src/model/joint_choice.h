@@ -9,7 +9,7 @@
 namespace talus {
 
 /// The joint of a pair of blocks or of two of their faces, else of the two faces' joints the one with less
-/// friction, the one declared first on ties. Borrows the model.
+/// friction at time 0, the one declared first on ties. Borrows the model.
 class JointChoice {
  public:
     explicit JointChoice(const Model& model);

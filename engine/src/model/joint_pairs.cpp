@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/over_time.h"
+
 namespace talus {
 namespace {
 
@@ -36,6 +38,8 @@ std::optional<std::int32_t> givenJoint(const std::vector<PairJoint>& sorted, con
     return std::nullopt;
 }
 
-bool isWeaker(const Joint& joint, const Joint& than) { return frictionAngle(joint) < frictionAngle(than); }
+bool isWeaker(const Joint& joint, const Joint& than, double time) {
+    return frictionAngleAt(joint, time) < frictionAngleAt(than, time);
+}
 
 }  // namespace talus

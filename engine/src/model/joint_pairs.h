@@ -20,7 +20,7 @@ std::vector<PairJoint> sortedByBlocks(std::vector<PairJoint> pairs);
 /// The joint that the model gives to two faces, in whatever order. \pre `sorted` is sortedByBlocks
 std::optional<std::int32_t> givenJoint(const std::vector<PairJoint>& sorted, const TwoFaces& faces);
 
-/// Of two joints the one with less friction; the first on ties.
-bool isWeaker(const Joint& joint, const Joint& than);
+/// Whether a joint has less friction than another at a time [s], of its strength over time.
+bool isWeaker(const Joint& joint, const Joint& than, double time = 0);
 
 }  // namespace talus

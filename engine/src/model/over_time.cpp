@@ -64,6 +64,10 @@ Joint strengthAt(Joint joint, double time) {
     return strengthened(std::move(joint), factor);
 }
 
+double frictionAngleAt(const Joint& joint, double time) {
+    return strengthFactor(joint, time) == 1 ? frictionAngle(joint) : frictionAngle(strengthAt(joint, time));
+}
+
 std::vector<Joint> strengthsAt(std::vector<Joint> joints, double time) {
     for (Joint& joint : joints) joint = strengthAt(std::move(joint), time);
     return joints;

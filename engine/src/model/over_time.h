@@ -19,6 +19,9 @@ double levelAt(const Water& water, double time);
 /// Factor of a load's force or pressure; 1 by default.
 double factorAt(const AppliedLoad& load, double time);
 
+/// frictionAngle of a joint with its strength at a time [rad].
+double frictionAngleAt(const Joint& joint, double time);
+
 /// strengthAt of each joint.
 std::vector<Joint> strengthsAt(std::vector<Joint> joints, double time);
 

@@ -146,6 +146,8 @@ TEST_SUITE("contacts") {
         CHECK(jointBetween(model, 1, 2) == 1);
         model.blocks[2].face_joint.assign(6, 2);
         CHECK(jointBetween(model, 2, 1) == 0);
+        model.joints[2].strength_over_time = {{0, 0.9}, {1, 2}};  // at time 0
+        CHECK(jointBetween(model, 2, 1) == 2);
         model.pair_joints = {{2, 1, 2, true, "interface[0]"}};
         CHECK(jointBetween(model, 1, 2) == 2);
         CHECK(buildState(model, false).ok());
