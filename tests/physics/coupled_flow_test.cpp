@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "support/flows.h"
@@ -349,6 +350,45 @@ TEST_CASE("coupled flow: a dam that is tilted drains where it rises above the lo
     model.gravity.tilt = angle->answer;
     model.flow->boundaries[1].kind = FlowBoundary::Kind::outlet;  // such a low head would be refused now
     CHECK(factorOf(model) == doctest::Approx(1).epsilon(2e-3));
+}
+
+TEST_CASE("coupled flow: a block that falls at the start is removed and named, as by a search") {
+    const Model sound = blockOnJoint(1e9, radians(10), 1);
+    Model model = sound;
+    // Beside the box, on nothing: it touches the box's +y face alone.
+    const Block hangs = box("loose", {1, 1, 0.4}, {1.6, 1.6, 1}, 2700, Motion::free);
+    model.blocks.insert(model.blocks.begin() + 1, hangs);
+    const SteadyFlow with = coupledSolved(model), without = coupledSolved(sound);
+    CHECK(with.fallen_at_start == std::vector<std::string>{"loose"});
+    CHECK(without.fallen_at_start.empty());
+    const std::string said =
+        "1 block falls at the start whatever the strength (for example loose): the answer does not include "
+        "them";
+    CHECK(std::count(with.warnings.begin(), with.warnings.end(), said) == 1);
+    CHECK(with.head == without.head);
+    CHECK(with.aperture == without.aperture);
+    CHECK(std::count(with.block_a.begin(), with.block_a.end(), 1) == 0);
+    CHECK(std::count(with.block_b.begin(), with.block_b.end(), 1) == 0);
+    const auto searched = safetyFactor(model);
+    REQUIRE(searched.ok());
+    CHECK(searched->fallen_at_start == with.fallen_at_start);
+    const auto change = meshChange(model, with);
+    REQUIRE(change.ok());
+    CHECK(change->total == meshChange(sound, without)->total);
+}
+
+TEST_CASE("coupled flow: a small block that slides at the scenario's tilt is named") {
+    Model model = blockOnJoint(1e9, radians(10), 1);
+    model.joints.push_back(joint(5));
+    addBox(model, "small", {1, 0.3, 1}, {0.4, 0.4, 0.3});
+    model.blocks.back().face_joint.assign(6, 1);
+    REQUIRE_FALSE(coupledFlow(model).ok());  // the slope is not stable under its own loads
+    model.analysis.least_mass_share = 0.05;
+    const SteadyFlow flow = coupledSolved(model);
+    CHECK(flow.fallen_at_start.empty());
+    CHECK(std::count_if(flow.warnings.begin(), flow.warnings.end(), [](const std::string& warning) {
+              return warning.starts_with("1 block fails on the way to the equilibrium (for example small)");
+          }) == 1);
 }
 
 TEST_CASE("coupled flow: without an equilibrium it is refused, and so is other water in its joint") {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "cli/block_names.h"
 #include "cli/json.h"
 #include "cli/provenance.h"
 #include "cli/scenario.h"
@@ -111,6 +112,10 @@ std::string aperturesText(const std::vector<double>& apertures) {
     return figure("%.3g", *least) + " to " + figure("%.3g", *most) + " m";
 }
 
+std::string namedText(const std::vector<std::string>& blocks) {
+    return std::to_string(blocks.size()) + ": " + compactNames(blocks);
+}
+
 }  // namespace
 
 Json couplingJson(const std::optional<FlowCoupling>& coupling) {
@@ -147,6 +152,7 @@ std::string flowText(const SteadyFlow& flow, const std::optional<MeshChange>& ch
     if (flow.coupling)
         text +=
             row("apertures", aperturesText(flow.aperture)) + row("coupling", couplingText(*flow.coupling));
+    if (!flow.fallen_at_start.empty()) text += row("fallen at start", namedText(flow.fallen_at_start));
     return text + row("free surface", surfaceText(flow)) +
            row("iterations", std::to_string(flow.iterations) + ", joints conduct a half at " +
                                  figure("%.2g", flow.ramp) + " m of suction");
@@ -172,6 +178,7 @@ Json flowJson(const SteadyFlow& flow, const std::optional<MeshChange>& change, c
             {"residual", number(flow.residual)},
             {"ramp_m", number(flow.ramp)},
             {"coupling", couplingJson(flow.coupling)},
+            {"fallen_at_start", flow.fallen_at_start},
             {"warnings", warningsJson(scenario, flow.warnings)},
             {"provenance", provenance(common, scenario.path)}};
 }

@@ -52,6 +52,8 @@ struct SteadyFlow {
     /// suction at which a joint above the free surface conducts a half: how sharp the surface is [m]
     double ramp = 0;
     std::optional<FlowCoupling> coupling{};  ///< of coupledFlow
+    /// Of coupledFlow: removed before, as by a search (SearchResult::fallen_at_start); sorted
+    std::vector<std::string> fallen_at_start{};
     std::vector<std::string> warnings;
 
     bool isWet(std::size_t triangle) const;  ///< whether pressure acts at any of its corners
@@ -71,7 +73,8 @@ struct MeshChange {
 /// Progress is told at each iteration, with the size of the mesh.
 Result<SteadyFlow> steadyFlow(const Model& model, const Control& control = {});
 
-/// The same with apertures that follow the joints, at the equilibrium under the model's own loads. Without
+/// The same with apertures that follow the joints, at the equilibrium under the model's own loads. Blocks
+/// that fall under their weight whatever the strength are removed and named, as by a search. Without
 /// equilibrium, an error.
 /// \pre model.flow->coupled
 Result<SteadyFlow> coupledFlow(const Model& model, const Control& control = {});

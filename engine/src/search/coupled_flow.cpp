@@ -23,9 +23,28 @@ std::vector<std::int32_t> remaining(const std::vector<char>& gone) {
 }  // namespace
 
 Result<SteadyFlow> Search::flowAtBeginning() {
-    if (auto errors = build(); !errors.empty()) return errors;
+    for (;;) {
+        if (auto errors = build(); !errors.empty()) return errors;
+        const Course course = isStopped(control_) ? Course{} : begin();
+        if (!removeFallen(course)) return flowAt(course);
+    }
+}
+
+void Search::nameInFlow(SteadyFlow& flow) {
+    nameFallen();
+    for (const BlockGroup& group : result_.removed_groups)
+        result_.warnings.push_back(
+            (group.blocks.size() == 1 ? "1 block fails"
+                                      : std::to_string(group.blocks.size()) + " blocks fail") +
+            std::string(" on the way to the equilibrium (for example ") + group.blocks.front() +
+            ") with less mass than analysis.least_mass_share: removed there; the joints around stay "
+            "in the flow");
+    flow.fallen_at_start = std::move(result_.fallen_at_start);
+    for (std::string& warning : result_.warnings) flow.warnings.push_back(std::move(warning));
+}
+
+Result<SteadyFlow> Search::flowAt(const Course& course) {
     const std::string field = model_.flow->field + ".coupled";
-    const Course course = isStopped(control_) ? Course{} : begin();
     if (isStopped(control_)) return Error{field, "interrupted before the equilibrium was found"};
     if (course.begun.result != PathResult::reached)
         return Error{field, std::string("found no equilibrium while the ") + course.begun.stage +
@@ -38,6 +57,7 @@ Result<SteadyFlow> Search::flowAtBeginning() {
     for (auto* blocks : {&flow->block_a, &flow->block_b})
         for (std::int32_t& block : *blocks) block = number[static_cast<std::size_t>(block)];
     flow->coupling = coupled_->coupling(state);
+    nameInFlow(*flow);
     for (std::string& warning : checks::ofCoupling(*coupled_, state))
         flow->warnings.push_back(std::move(warning));
     return flow;

@@ -100,6 +100,7 @@ class Search {
     void finish(Course& course);
     void addDisplacements(const Followed& followed);
     void addCoupling(const Course& course);
+    Result<SteadyFlow> flowAt(const Course& course);
 
     /// How it fails, and the state the search ended in.
     void describe(Course& course, bool has_begun);
@@ -107,6 +108,8 @@ class Search {
     /// From the last equilibrium, under the failing load.
     void keepFailing(Course& course, const State& last);
     void nameFallen();
+    /// The removed blocks.
+    void nameInFlow(SteadyFlow& flow);
 
     /// Successive failure groups and their factors: failed blocks are removed from the last equilibrium, and
     /// the path continues.

@@ -95,6 +95,21 @@ TEST_CASE("flow: coupled, it is the flow of an equilibrium, and searches say how
     CHECK(text.out.find("left out: it opens no joints") != std::string::npos);
 }
 
+TEST_CASE("flow: coupled, blocks that fall at the start are named") {
+    const TemporaryFolder folder;
+    const std::string beside =
+        "\n[[block]]\nname = \"loose\"\nmaterial = \"rock\"\njoint = \"default\"\n"
+        "box = { min = [1.0, 1.0, 0.4], max = [1.5, 1.5, 1.0] }\n";
+    const std::string path =
+        folder.write("loose.toml", contentOf(TALUS_SOURCE_DIR "/bench/examples/coupled-flow.toml") + beside);
+    const Outcome outcome = runTalus({"flow", path, "--json"});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(outcome.json().at("fallen_at_start") == nlohmann::json{"loose"});
+    CHECK(outcome.json().at("warnings").size() == 1);
+    CHECK(runTalus({"flow", path}).out.find("fallen at start   1: loose\n") != std::string::npos);
+}
+
 TEST_CASE("flow: a scenario without [flow], or a file of another kind, is refused") {
     CHECK(runTalus({"flow", TALUS_SOURCE_DIR "/bench/examples/uplift.toml"}).exit_code == 2);
     CHECK(runTalus({"flow", kSlope, "--picture", "picture.png"}).exit_code == 2);
