@@ -6,6 +6,7 @@
 
 #include "build/build.h"
 #include "flow/conditions.h"
+#include "flow/meshing.h"
 #include "flow/upstream.h"
 #include "support/flows.h"
 

@@ -10,55 +10,50 @@ namespace {
 // Of the cotangents opposite a side, added: a side so little too long stays, and turns do not go round.
 constexpr double kRounding = 1e-9;
 
-using Edge = std::pair<std::int32_t, std::int32_t>;  // lower node first
-
 class Turning {
  public:
     Turning(Network& network, const std::vector<char>& patches) : network_(network) {
         for (std::size_t t = 0; t < network.triangles.size(); ++t) {
-            for (std::size_t k = 0; k < 3; ++k) triangles_on_[edge(t, k)].push_back(t);
+            for (std::size_t k = 0; k < 3; ++k) triangles_on_[network_.side(t, k)].push_back(t);
             if (patches[static_cast<std::size_t>(network.patch_of[t])] != 0)
-                for (std::size_t k = 0; k < 3; ++k) left_.push_back(edge(t, k));
+                for (std::size_t k = 0; k < 3; ++k) left_.push_back(network_.side(t, k));
         }
     }
 
     void make() {
         while (!left_.empty()) {
-            const Edge edge = left_.back();
+            const Side side = left_.back();
             left_.pop_back();
-            if (isWrong(edge)) turn(edge);
+            if (isWrong(side)) turn(side);
         }
     }
 
  private:
-    Edge edge(std::size_t t, std::size_t k) const {
-        return std::minmax({network_.triangles[t][k], network_.triangles[t][(k + 1) % 3]});
-    }
-    std::size_t cornerAcross(std::size_t t, const Edge& e) const {
+    std::size_t cornerAcross(std::size_t t, const Side& side) const {
         std::size_t k = 0;
-        while (edge(t, k) != e) ++k;
+        while (network_.side(t, k) != side) ++k;
         return (k + 2) % 3;
     }
-    double cotangentAcross(std::size_t t, const Edge& e) const {
-        const std::size_t k = cornerAcross(t, e);
+    double cotangentAcross(std::size_t t, const Side& side) const {
+        const std::size_t k = cornerAcross(t, side);
         const Vec3 a = network_.corner(t, (k + 1) % 3) - network_.corner(t, k),
                    b = network_.corner(t, (k + 2) % 3) - network_.corner(t, k);
         return a.dot(b) / a.cross(b).norm();
     }
 
-    bool isWrong(const Edge& e) const {
-        const auto found = triangles_on_.find(e);
+    bool isWrong(const Side& side) const {
+        const auto found = triangles_on_.find(side);
         if (found == triangles_on_.end() || found->second.size() != 2) return false;
         const auto [s, t] = std::pair(found->second[0], found->second[1]);
         return network_.patch_of[s] == network_.patch_of[t] &&
-               cotangentAcross(s, e) + cotangentAcross(t, e) < -kRounding;
+               cotangentAcross(s, side) + cotangentAcross(t, side) < -kRounding;
     }
 
     /// Of the two ways to halve a quadrangle, to the other one.
-    void turn(const Edge& e) {
-        const std::vector<std::size_t> both = triangles_on_.at(e);
-        triangles_on_.erase(e);
-        const std::size_t s = both[0], t = both[1], k = cornerAcross(s, e), l = cornerAcross(t, e);
+    void turn(const Side& side) {
+        const std::vector<std::size_t> both = triangles_on_.at(side);
+        triangles_on_.erase(side);
+        const std::size_t s = both[0], t = both[1], k = cornerAcross(s, side), l = cornerAcross(t, side);
         const auto of_s = network_.triangles[s], of_t = network_.triangles[t];
         const std::int32_t apex_s = of_s[k], from = of_s[(k + 1) % 3], to = of_s[(k + 2) % 3],
                            apex_t = of_t[l];
@@ -68,16 +63,16 @@ class Turning {
         replace(std::minmax({to, apex_s}), s, t);
         triangles_on_[std::minmax({apex_s, apex_t})] = both;
         for (const std::size_t each : both)
-            for (std::size_t corner = 0; corner < 3; ++corner) left_.push_back(edge(each, corner));
+            for (std::size_t corner = 0; corner < 3; ++corner) left_.push_back(network_.side(each, corner));
     }
 
-    void replace(const Edge& on, std::size_t before, std::size_t now) {
+    void replace(const Side& on, std::size_t before, std::size_t now) {
         std::ranges::replace(triangles_on_.at(on), before, now);
     }
 
     Network& network_;
-    std::map<Edge, std::vector<std::size_t>> triangles_on_;
-    std::vector<Edge> left_;
+    std::map<Side, std::vector<std::size_t>> triangles_on_;
+    std::vector<Side> left_;
 };
 
 }  // namespace

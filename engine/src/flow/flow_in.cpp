@@ -10,6 +10,7 @@
 #include "flow/conditions.h"
 #include "flow/cubic_law.h"
 #include "flow/equations.h"
+#include "flow/meshing.h"
 #include "flow/solve.h"
 
 namespace talus {

@@ -16,8 +16,6 @@ namespace {
 // has what half and nearly twice do.
 constexpr double kMiddle = 0.25;
 
-using Edge = std::pair<std::int32_t, std::int32_t>;  // lower node first
-
 class Grading {
  public:
     Grading(Network& network, std::span<const Footprint> footprints)
@@ -33,18 +31,15 @@ class Grading {
     }
 
  private:
-    Edge edge(std::size_t t, std::size_t k) const {
-        return std::minmax({network_.triangles[t][k], network_.triangles[t][(k + 1) % 3]});
-    }
     const Vec3& at(std::int32_t node) const { return network_.nodes[static_cast<std::size_t>(node)]; }
-    double length(const Edge& e) const { return (at(e.second) - at(e.first)).norm(); }
+    double length(const Side& side) const { return (at(side.second) - at(side.first)).norm(); }
 
-    /// Of edges of one length, the one of later nodes: an order of all edges, so that `divide` ends.
-    Edge longest(std::size_t t) const {
-        Edge most = edge(t, 0);
+    /// Of sides of one length, the one of later nodes: an order of all sides, so that `divide` ends.
+    Side longest(std::size_t t) const {
+        Side most = network_.side(t, 0);
         for (const std::size_t k : {1U, 2U}) {
-            const Edge e = edge(t, k);
-            if (std::pair(length(e), e) > std::pair(length(most), most)) most = e;
+            const Side side = network_.side(t, k);
+            if (std::pair(length(side), side) > std::pair(length(most), most)) most = side;
         }
         return most;
     }
@@ -63,7 +58,7 @@ class Grading {
 
     /// Divides its longest side. Neighbours that have a longer one there are divided first.
     void divide(std::size_t t) {
-        const Edge divided = longest(t);
+        const Side divided = longest(t);
         const auto other = std::ranges::find_if(
             triangles_on_[divided], [&](std::size_t neighbour) { return longest(neighbour) != divided; });
         if (other != triangles_on_[divided].end()) return divide(*other);
@@ -75,7 +70,7 @@ class Grading {
     }
 
     /// The middle, or where an outline crosses near it.
-    Vec3 placeOn(const Edge& divided) const {
+    Vec3 placeOn(const Side& divided) const {
         const Vec3 &begin = at(divided.first), &end = at(divided.second);
         double share = 0.5, off = 0.5 - kMiddle;
         for (const std::size_t t : triangles_on_.at(divided))
@@ -88,9 +83,9 @@ class Grading {
         return (1 - share) * begin + share * end;
     }
 
-    void split(std::size_t t, const Edge& divided, std::int32_t node) {
+    void split(std::size_t t, const Side& divided, std::int32_t node) {
         std::size_t k = 0;
-        while (edge(t, k) != divided) ++k;
+        while (network_.side(t, k) != divided) ++k;
         leave(t);
         const auto corners = network_.triangles[t];
         const std::int32_t a = corners[k], b = corners[(k + 1) % 3], apex = corners[(k + 2) % 3];
@@ -102,17 +97,17 @@ class Grading {
     }
 
     void enter(std::size_t t) {
-        for (std::size_t k = 0; k < 3; ++k) triangles_on_[edge(t, k)].push_back(t);
+        for (std::size_t k = 0; k < 3; ++k) triangles_on_[network_.side(t, k)].push_back(t);
     }
     void leave(std::size_t t) {
         for (std::size_t k = 0; k < 3; ++k)
-            if (const auto found = triangles_on_.find(edge(t, k)); found != triangles_on_.end())
+            if (const auto found = triangles_on_.find(network_.side(t, k)); found != triangles_on_.end())
                 std::erase(found->second, t);
     }
 
     Network& network_;
     std::vector<std::vector<const Footprint*>> footprints_;  ///< of each patch
-    std::map<Edge, std::vector<std::size_t>> triangles_on_;
+    std::map<Side, std::vector<std::size_t>> triangles_on_;
 };
 
 void sortByPatch(Network& network) {

@@ -1,21 +1,14 @@
 #pragma once
 // The mesh of the joint network: linear triangles on the patches where blocks touch. Patches share the nodes
-// along their common edges, so that water passes from one joint into another there.
-//
-// Each patch is a fan about its centroid. Corners of other patches on one of its edges are nodes of that
-// edge, too. About a boundary that ends inside a patch the mesh is finer (flow/grading.h). A plane section is the same mesh, one patch wide: on a rectangle with one head at either end
-// linear triangles are exact.
-//
-// Reads: shapes' initial poses, interfaces of faces as built
+// along their common edges, so that water passes from one joint into another there. flow/meshing.h makes it.
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "state/arrays.h"
-#include "talus/flow_data.h"
 
 namespace talus::flow {
 
@@ -38,6 +31,8 @@ struct RockFace {
     double offset = 0;            ///< [m]
 };
 
+using Side = std::pair<std::int32_t, std::int32_t>;  ///< nodes of a side of a triangle, the lower one first
+
 struct Network {
     std::vector<Vec3> nodes;  ///< in the state's coordinates [m]
     std::vector<Patch> patches;
@@ -53,14 +48,14 @@ struct Network {
     const Vec3& corner(std::size_t triangle, std::size_t k) const {
         return nodes[static_cast<std::size_t>(triangles[triangle][k])];
     }
+    /// From corner k to the next.
+    Side side(std::size_t triangle, std::size_t k) const {
+        return std::minmax({triangles[triangle][k], triangles[triangle][(k + 1) % 3]});
+    }
     const Patch& patch(std::size_t triangle) const {
         return patches[static_cast<std::size_t>(patch_of[triangle])];
     }
 };
-
-/// \param refinements  how often each triangle is divided into four
-/// \param boundaries   the mesh is finer where they end inside a patch
-Network networkOf(const State& state, int refinements, std::span<const FlowBoundary> boundaries = {});
 
 /// An edge at which a joint ends without meeting another one.
 struct OpenEdge {

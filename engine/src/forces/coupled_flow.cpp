@@ -7,6 +7,7 @@
 
 #include "flow/cubic_law.h"
 #include "flow/flow_in.h"
+#include "flow/meshing.h"
 #include "flow/opening.h"
 #include "forces/flow_water.h"
 

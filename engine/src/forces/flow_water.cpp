@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "flow/flow_in.h"
+#include "flow/meshing.h"
 #include "geometry/face_frame.h"
 #include "geometry/pressure.h"
 

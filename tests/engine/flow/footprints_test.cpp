@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "build/build.h"
+#include "flow/meshing.h"
 #include "support/flows.h"
 #include "support/models.h"
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "build/build.h"
+#include "flow/meshing.h"
 #include "state/closed_gap.h"
 #include "support/models.h"
 
