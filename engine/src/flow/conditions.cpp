@@ -9,8 +9,6 @@
 namespace talus::flow {
 namespace {
 
-constexpr double kNear = 1e-6;  // of the median patch: a node that far outside a box is in it
-
 class Places {
  public:
     Places(const Network& network, const Vec3& origin)

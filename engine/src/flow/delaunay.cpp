@@ -12,7 +12,10 @@ constexpr double kRounding = 1e-9;
 
 class Turning {
  public:
-    Turning(Network& network, const std::vector<char>& patches) : network_(network) {
+    Turning(Network& network, const std::vector<char>& patches, std::span<const Footprint> footprints)
+        : network_(network), footprints_(network.patches.size()) {
+        for (const Footprint& footprint : footprints)
+            footprints_[static_cast<std::size_t>(footprint.patch)].push_back(&footprint);
         for (std::size_t t = 0; t < network.triangles.size(); ++t) {
             for (std::size_t k = 0; k < 3; ++k) triangles_on_[network_.side(t, k)].push_back(t);
             if (patches[static_cast<std::size_t>(network.patch_of[t])] != 0)
@@ -46,7 +49,17 @@ class Turning {
         if (found == triangles_on_.end() || found->second.size() != 2) return false;
         const auto [s, t] = std::pair(found->second[0], found->second[1]);
         return network_.patch_of[s] == network_.patch_of[t] &&
-               cotangentAcross(s, side) + cotangentAcross(t, side) < -kRounding;
+               cotangentAcross(s, side) + cotangentAcross(t, side) < -kRounding && !isOfBoundary(s, side);
+    }
+
+    bool isOfBoundary(std::size_t t, const Side& side) const {
+        const auto at = [&](std::int32_t node) -> const Vec3& {
+            return network_.nodes[static_cast<std::size_t>(node)];
+        };
+        return std::ranges::any_of(footprints_[static_cast<std::size_t>(network_.patch_of[t])],
+                                   [&](const Footprint* footprint) {
+                                       return isOnOutline(*footprint, at(side.first), at(side.second));
+                                   });
     }
 
     /// Of the two ways to halve a quadrangle, to the other one.
@@ -71,14 +84,15 @@ class Turning {
     }
 
     Network& network_;
+    std::vector<std::vector<const Footprint*>> footprints_;  ///< of each patch
     std::map<Side, std::vector<std::size_t>> triangles_on_;
     std::vector<Side> left_;
 };
 
 }  // namespace
 
-void makeDelaunay(Network& network, const std::vector<char>& patches) {
-    if (std::ranges::find(patches, 1) != patches.end()) Turning(network, patches).make();
+void makeDelaunay(Network& network, const std::vector<char>& patches, std::span<const Footprint> footprints) {
+    if (std::ranges::find(patches, 1) != patches.end()) Turning(network, patches, footprints).make();
 }
 
 }  // namespace talus::flow

@@ -13,9 +13,7 @@ namespace {
 // bench/studies/drain-in-a-joint.md has what half and twice these do to the discharge and to the mesh.
 constexpr double kOfDistance = 0.5;     // longest side over the distance from the outline, at most
 constexpr double kOfWidth = 1.0 / 8;    // longest side on an outline over its width
-constexpr double kOfLength = 1.0 / 64;  // the same over its length, where it is thin
-
-constexpr double kBeyond = 4;  // diameters of a patch: as far as a boundary is looked at beyond it
+constexpr double kOfLength = 1.0 / 64;  // the same over its length, where that is more
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -42,67 +40,71 @@ double widthOf(const Polygon& polygon) {
     return least;
 }
 
+/// Whether a point is inside by more than -margin.
+bool isInside(std::span<const Vec2> outline, const Vec2& x, double margin) {
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        if (leftOf(outline[i], outline[(i + 1) % outline.size()], x) < -margin) return false;
+    return true;
+}
+
 /// One patch of the network, which is a fan of triangles.
 class Fan {
  public:
     Fan(const Network& network, std::size_t first, std::size_t end)
-        : patch_(network.patch_of[first]), same_(network.same[static_cast<std::size_t>(patch_)]) {
+        : patch_(network.patch_of[first]), same_(kNear * network.size) {
         nodes_.push_back(network.corner(first, 0));
         plane_ = faceFrame(nodes_[0], network.corner(first, 1), network.patch(first).normal);
         for (std::size_t t = first; t < end; ++t) {
             nodes_.push_back(network.corner(t, 1));
             outline_.push(plane_.toPlane(nodes_.back()));
         }
-        diameter_ = lengthOf(outline_);
     }
 
-    /// Of a boundary of joints; nothing where the mesh need be no finer.
-    std::optional<Footprint> inPlane(const Vec3& low, const Vec3& high) const {
-        const double far = kBeyond * diameter_;
-        const Polygon whole =
-            clippedToBox({{-far, -far}, {far, -far}, {far, far}, {-far, far}}, plane_, low, high, same_);
-        if (whole.empty()) return std::nullopt;
-        const Polygon taken = clippedToBox(outline_, plane_, low, high, same_);
-        const double width = widthOf(whole), length = std::min(lengthOf(whole), diameter_);
-        double size = kOfWidth * width;
-        if (!endsInside(whole, widthOf(taken) <= same_)) {
-            if (widthOf(taken) <= same_ || isAllIn(low, high)) return std::nullopt;
-            size = width / 2;
+    /// Of a boundary of joints: of the polygon, or of edges that the box only touches. Nodes that near to a box
+    /// are in it, so that a thinner one is as wide as that.
+    void add(const Vec3& low, const Vec3& high, std::vector<Footprint>& to) const {
+        Polygon taken = clippedToBox(outline_, plane_, low, high, same_);
+        if (widthOf(taken) <= same_) {
+            const Vec3 margin = Vec3::Constant(same_);
+            taken = clippedToBox(outline_, plane_, low - margin, high + margin, same_);
         }
-        return footprint({whole.begin(), whole.end()}, std::max(size, kOfLength * length), low, high);
+        const double width = widthOf(taken);
+        if (width <= 1.5 * same_) {
+            for (std::size_t i = 1; i < nodes_.size(); ++i)
+                addOnEdge(nodes_[i], nodes_[i + 1 < nodes_.size() ? i + 1 : 1], low, high, to);
+            return;
+        }
+        if (isAllIn(low, high)) return;
+        double size = kInfinity;
+        if (hasCornerInside(taken)) size = std::max(kOfWidth * width, kOfLength * lengthOf(taken));
+        to.push_back(footprint({taken.begin(), taken.end()}, size));
     }
 
     /// Of a boundary of open ends, on this edge.
-    std::optional<Footprint> onEdge(const Vec3& begin, const Vec3& end, const Vec3& low,
-                                    const Vec3& high) const {
-        const Vec3 beyond = kBeyond * (end - begin), from = begin - beyond, way = end + beyond - from;
-        const Stretch stretch = stretchInBox(from, from + way, low, high);
-        const double length = (stretch.to - stretch.from) * way.norm();
-        if (!(length > same_)) return std::nullopt;
-        const Vec3 first = from + stretch.from * way, last = from + stretch.to * way;
-        const auto isWithin = [&](const Vec3& x) {
-            return (x - begin).dot(way) > same_ * way.norm() && (end - x).dot(way) > same_ * way.norm();
-        };
-        if (!isWithin(first) && !isWithin(last)) return std::nullopt;
-        return footprint({plane_.toPlane(first), plane_.toPlane(last)}, kOfWidth * length, low, high);
+    void addOnEdge(const Vec3& begin, const Vec3& end, const Vec3& low, const Vec3& high,
+                   std::vector<Footprint>& to) const {
+        const Vec3 margin = Vec3::Constant(same_), way = end - begin;
+        const Stretch stretch = stretchInBox(begin, end, low - margin, high + margin);
+        const double before = stretch.from * way.norm(), after = (1 - stretch.to) * way.norm();
+        const double length = way.norm() - before - after;
+        if (length <= 2 * same_ || (before <= 2 * same_ && after <= 2 * same_)) return;
+        to.push_back(
+            footprint({plane_.toPlane(begin + stretch.from * way), plane_.toPlane(begin + stretch.to * way)},
+                      kOfWidth * length));
     }
 
  private:
-    Footprint footprint(std::vector<Vec2> corners, double size, const Vec3& low, const Vec3& high) const {
-        return {patch_, plane_, std::move(corners), low, high, size, same_};
+    Footprint footprint(std::vector<Vec2> corners, double size) const {
+        Vec2 middle = Vec2::Zero();
+        for (const Vec2& corner : corners) middle += corner / static_cast<double>(corners.size());
+        double reach = 0;
+        for (const Vec2& corner : corners) reach = std::max(reach, (corner - middle).norm());
+        return {patch_, plane_, std::move(corners), size, same_, plane_.toWorld(middle), reach};
     }
 
-    /// Whether a corner lies within the patch; if the box only touches the patch, on one of its edges.
-    bool endsInside(const Polygon& whole, bool touches) const {
-        return std::any_of(whole.begin(), whole.end(), [&](const Vec2& corner) {
-            double inside = kInfinity;
-            int edges = 0;
-            for (std::size_t i = 0; i < outline_.size(); ++i) {
-                const double left = leftOf(outline_[i], outline_.next(i), corner);
-                inside = std::min(inside, left);
-                if (std::abs(left) <= same_) ++edges;
-            }
-            return inside > same_ || (touches && inside >= -same_ && edges == 1);
+    bool hasCornerInside(const Polygon& taken) const {
+        return std::any_of(taken.begin(), taken.end(), [&](const Vec2& corner) {
+            return isInside({outline_.begin(), outline_.end()}, corner, -same_);
         });
     }
 
@@ -112,11 +114,10 @@ class Fan {
     }
 
     std::int32_t patch_;
-    double same_;  ///< [m]
-    std::vector<Vec3> nodes_;
+    double same_;              ///< [m]
+    std::vector<Vec3> nodes_;  ///< the centre, then the corners
     FaceFrame plane_;
     Polygon outline_;
-    double diameter_ = 0;  ///< [m]
 };
 
 std::vector<Fan> fansOf(const Network& network) {
@@ -153,49 +154,87 @@ bool isParted(std::span<const Vec2> of, std::span<const Vec2> others) {
     return false;
 }
 
-bool isInside(std::span<const Vec2> outline, const Vec2& x, double margin) {
-    for (std::size_t i = 0; i < outline.size(); ++i)
-        if (leftOf(outline[i], outline[(i + 1) % outline.size()], x) < -margin) return false;
-    return true;
-}
-
 }  // namespace
 
 std::vector<Footprint> footprintsOf(const Network& network, std::span<const FlowBoundary> boundaries,
                                     const Vec3& origin) {
     std::vector<Footprint> footprints;
-    const auto add = [&](std::optional<Footprint> footprint) {
-        if (footprint) footprints.push_back(std::move(*footprint));
-    };
     const std::vector<Fan> fans = fansOf(network);
     const std::vector<OpenEdge> edges = openEdges(network);
+    const auto node = [&](std::int32_t n) -> const Vec3& {
+        return network.nodes[static_cast<std::size_t>(n)];
+    };
     for (const FlowBoundary& boundary : boundaries) {
         const Vec3 low = boundary.box_min - origin, high = boundary.box_max - origin;
-        if (boundary.face) {
-            for (const OpenEdge& edge : edges)
-                if (takesJoint(boundary, network.patch(edge.triangle).joint) &&
-                    takesFace(boundary, edge.outward))
-                    add(fans[static_cast<std::size_t>(network.patch_of[edge.triangle])].onEdge(
-                        network.nodes[static_cast<std::size_t>(edge.nodes[0])],
-                        network.nodes[static_cast<std::size_t>(edge.nodes[1])], low, high));
+        if (!boundary.face) {
+            for (std::size_t p = 0; p < fans.size(); ++p)
+                if (takesJoint(boundary, network.patches[p].joint)) fans[p].add(low, high, footprints);
             continue;
         }
-        for (std::size_t p = 0; p < fans.size(); ++p)
-            if (takesJoint(boundary, network.patches[p].joint)) add(fans[p].inPlane(low, high));
+        for (const OpenEdge& edge : edges)
+            if (takesJoint(boundary, network.patch(edge.triangle).joint) && takesFace(boundary, edge.outward))
+                fans[static_cast<std::size_t>(network.patch_of[edge.triangle])].addOnEdge(
+                    node(edge.nodes[0]), node(edge.nodes[1]), low, high, footprints);
     }
     return footprints;
 }
 
-double mostSide(const Footprint& footprint, const std::array<Vec3, 3>& triangle) {
+bool isTooLarge(const Footprint& footprint, const std::array<Vec3, 3>& triangle) {
+    double side = 0, far = 0;
+    const Vec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3;
+    for (std::size_t k = 0; k < 3; ++k) {
+        side = std::max(side, (triangle[k] - triangle[(k + 1) % 3]).norm());
+        far = std::max(far, (triangle[k] - middle).norm());
+    }
+    const double least = (middle - footprint.centre).norm() - far - footprint.reach;  // quick
+    if (side <= std::max(footprint.size, kOfDistance * least)) return false;
     const std::span<const Vec2> outline = footprint.corners;
     std::array<Vec2, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = footprint.plane.toPlane(triangle[k]);
     const auto isTaken = [&](const Vec2& x) { return isInside(outline, x, footprint.same); };
-    if (outline.size() > 2 && std::all_of(corners.begin(), corners.end(), isTaken)) return kInfinity;
-    if (!isParted(outline, corners) && !isParted(corners, outline)) return footprint.size;
+    if (!footprint.isOnEdge() && std::all_of(corners.begin(), corners.end(), isTaken)) return false;
+    if (!isParted(outline, corners) && !isParted(corners, outline)) return true;
     const double distance =
         std::min(distanceOfCorners(corners, outline), distanceOfCorners(outline, corners));
-    return std::max(footprint.size, kOfDistance * distance);
+    return side > kOfDistance * distance;
+}
+
+std::optional<Vec3> crossing(const Footprint& footprint, const Vec3& begin, const Vec3& end) {
+    const Vec2 first = footprint.plane.toPlane(begin), last = footprint.plane.toPlane(end);
+    const double length = (last - first).norm();
+    const auto placeAt = [&](double share) -> std::optional<Vec3> {
+        if (!(std::min(share, 1 - share) * length > footprint.same)) return std::nullopt;
+        return (1 - share) * begin + share * end;
+    };
+    const std::vector<Vec2>& outline = footprint.corners;
+    if (footprint.isOnEdge()) {
+        if (!isOnOutline(footprint, begin, end)) return std::nullopt;
+        for (const Vec2& corner : outline)
+            if (auto place = placeAt((corner - first).dot(last - first) / (length * length))) return place;
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec2 &from = outline[i], &to = outline[(i + 1) % outline.size()];
+        const double before = leftOf(from, to, first), after = leftOf(from, to, last);
+        if (before * after >= 0 || std::min(std::abs(before), std::abs(after)) <= footprint.same) continue;
+        const double share = before / (before - after);
+        const Vec2 met = first + share * (last - first);
+        if (isInside(outline, met, footprint.same))
+            if (auto place = placeAt(share)) return place;
+    }
+    return std::nullopt;
+}
+
+bool isOnOutline(const Footprint& footprint, const Vec3& begin, const Vec3& end) {
+    const Vec2 first = footprint.plane.toPlane(begin), last = footprint.plane.toPlane(end);
+    const std::vector<Vec2>& outline = footprint.corners;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec2 &from = outline[i], &to = outline[(i + 1) % outline.size()];
+        if (std::abs(leftOf(from, to, first)) <= footprint.same &&
+            std::abs(leftOf(from, to, last)) <= footprint.same)
+            return true;
+    }
+    return false;
 }
 
 }  // namespace talus::flow

@@ -1,7 +1,6 @@
 #include "flow/grading.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -11,10 +10,6 @@
 
 namespace talus::flow {
 namespace {
-
-// Of a side, from its ends: a side is divided at an outline that crosses between. bench/studies/drain-in-a-joint.md
-// has what half and nearly twice do.
-constexpr double kMiddle = 0.25;
 
 class Grading {
  public:
@@ -28,6 +23,9 @@ class Grading {
     void make() {
         for (std::size_t t = 0; t < network_.triangles.size(); ++t)
             while (isTooLarge(t)) divide(t);
+        for (std::size_t t = 0; t < network_.triangles.size(); ++t)
+            while (meetOutline(t)) {
+            }
     }
 
  private:
@@ -49,38 +47,48 @@ class Grading {
     }
 
     bool isTooLarge(std::size_t t) const {
-        const double side = length(longest(t));
         const std::array corners{network_.corner(t, 0), network_.corner(t, 1), network_.corner(t, 2)};
-        return std::ranges::any_of(footprints(t), [&](const Footprint* footprint) {
-            return side > footprint->size && side > mostSide(*footprint, corners);  // the first is quick
-        });
+        return std::ranges::any_of(
+            footprints(t), [&](const Footprint* footprint) { return flow::isTooLarge(*footprint, corners); });
     }
 
-    /// Divides its longest side. Neighbours that have a longer one there are divided first.
+    /// Halves its longest side. Neighbours that have a longer one there are divided first.
     void divide(std::size_t t) {
-        const Side divided = longest(t);
-        const auto other = std::ranges::find_if(
-            triangles_on_[divided], [&](std::size_t neighbour) { return longest(neighbour) != divided; });
-        if (other != triangles_on_[divided].end()) return divide(*other);
-        const auto node = static_cast<std::int32_t>(network_.nodes.size());
-        network_.nodes.push_back(placeOn(divided));
-        const std::vector<std::size_t> meet = std::exchange(triangles_on_[divided], {});
-        triangles_on_.erase(divided);
-        for (const std::size_t each : meet) split(each, divided, node);
+        const Side side = longest(t);
+        const std::vector<std::size_t>& meet = triangles_on_[side];
+        const auto other =
+            std::ranges::find_if(meet, [&](std::size_t neighbour) { return longest(neighbour) != side; });
+        if (other != meet.end()) return divide(*other);
+        divide(side, 0.5 * (at(side.first) + at(side.second)));
     }
 
-    /// The middle, or where an outline crosses near it.
-    Vec3 placeOn(const Side& divided) const {
-        const Vec3 &begin = at(divided.first), &end = at(divided.second);
-        double share = 0.5, off = 0.5 - kMiddle;
-        for (const std::size_t t : triangles_on_.at(divided))
-            for (const Footprint* footprint : footprints(t)) {
-                const Stretch in = stretchInBox(begin, end, footprint->low, footprint->high);
-                if (in.from > in.to) continue;
-                for (const double place : {in.from, in.to})
-                    if (std::abs(place - 0.5) < off) share = place, off = std::abs(place - 0.5);
+    /// Divides a side where an outline crosses it. A flat triangle has its corners on one line, and an outline
+    /// that crosses one side there meets the next at a corner. \return whether there is one
+    bool meetOutline(std::size_t t) {
+        if (isFlat(t)) return false;
+        for (const Footprint* footprint : footprints(t))
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Side side = network_.side(t, k);
+                const auto place = crossing(*footprint, at(side.first), at(side.second));
+                if (!place) continue;
+                divide(side, *place);
+                return true;
             }
-        return (1 - share) * begin + share * end;
+        return false;
+    }
+
+    bool isFlat(std::size_t t) const {
+        const Vec3 a = network_.corner(t, 1) - network_.corner(t, 0),
+                   b = network_.corner(t, 2) - network_.corner(t, 0);
+        return a.cross(b).norm() <= kNear * network_.size * length(longest(t));
+    }
+
+    void divide(const Side& side, const Vec3& place) {
+        const auto node = static_cast<std::int32_t>(network_.nodes.size());
+        network_.nodes.push_back(place);
+        const std::vector<std::size_t> meet = std::exchange(triangles_on_[side], {});
+        triangles_on_.erase(side);
+        for (const std::size_t each : meet) split(each, side, node);
     }
 
     void split(std::size_t t, const Side& divided, std::int32_t node) {
@@ -114,12 +122,14 @@ void sortByPatch(Network& network) {
     std::vector<std::size_t> order(network.triangles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t t) { return network.patch_of[t]; });
-    Network sorted = network;
+    auto triangles = network.triangles;
+    auto patch_of = network.patch_of;
     for (std::size_t t = 0; t < order.size(); ++t) {
-        sorted.triangles[t] = network.triangles[order[t]];
-        sorted.patch_of[t] = network.patch_of[order[t]];
+        triangles[t] = network.triangles[order[t]];
+        patch_of[t] = network.patch_of[order[t]];
     }
-    network = std::move(sorted);
+    network.triangles = std::move(triangles);
+    network.patch_of = std::move(patch_of);
 }
 
 }  // namespace

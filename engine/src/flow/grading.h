@@ -1,7 +1,7 @@
 #pragma once
 // Makes the mesh of a joint network finer where boundaries end inside a polygon. The longest side of a triangle
-// is divided, first in neighbours whose own is longer, so that no node comes to lie on a side. Halved, no angle
-// falls below half of the least one (Rivara 1984, Int. J. Numer. Methods Eng. 20, 745-756).
+// is halved, first in neighbours whose own is longer: no node comes to lie on a side, and no angle falls below
+// half of the least one (Rivara 1984, Int. J. Numer. Methods Eng. 20, 745-756).
 //
 // Writes: nodes, triangles, patch_of
 
@@ -12,8 +12,7 @@
 
 namespace talus::flow {
 
-/// Divides triangles until no side is longer than `mostSide`. A side that the outline of a boundary crosses
-/// near its middle is divided at the crossing, so that nodes come to lie on the outline.
+/// Divides triangles until none is too large, then sides at the outlines that cross them.
 /// \return of each patch, whether triangles were divided
 std::vector<char> grade(Network& network, std::span<const Footprint> footprints);
 

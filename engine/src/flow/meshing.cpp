@@ -293,10 +293,10 @@ Network networkOf(const State& state, int refinements, std::span<const FlowBound
     const Gravity& gravity = state.geometry->model.gravity;
     network.size = medianSide(network);
     network.height = meanHeight(network, downward(gravity, gravity.tilt));
-    const std::vector<char> divided =
-        grade(network, footprintsOf(network, boundaries, state.geometry->origin));
+    const std::vector<Footprint> footprints = footprintsOf(network, boundaries, state.geometry->origin);
+    const std::vector<char> divided = grade(network, footprints);
     for (int k = 0; k < refinements; ++k) refine(network);
-    makeDelaunay(network, divided);
+    makeDelaunay(network, divided, footprints);
     return network;
 }
 

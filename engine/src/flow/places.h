@@ -8,6 +8,7 @@
 namespace talus::flow {
 
 constexpr double kLooks = 0.5 - 1e-9;  // cosine of the 60 degrees within which a rock face looks a way
+constexpr double kNear = 1e-6;         // of the median patch: a node that far outside a box is in it
 
 inline bool takesJoint(const FlowBoundary& boundary, std::int32_t joint) {
     const auto& joints = boundary.joints;

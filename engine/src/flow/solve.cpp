@@ -21,7 +21,7 @@ constexpr double kRounding = 1e-13;   // of the inflow: no step can lower that
 // twice each of them does: no answer moves.
 constexpr double kFirstStep = 100;
 constexpr double kLonger = 3;   // ratio, after a step that is taken
-constexpr double kShorter = 5;  // ratio, after one that is not, and where outlets were opened or closed
+constexpr double kShorter = 5;  // ratio, after one that is not; in `narrow`, too, where outlets were switched
 constexpr double kWorse = 4;    // imbalance over that before the step: what is not taken
 
 class Solver {
@@ -44,7 +44,7 @@ class Solver {
     Heads withFreeSurface() {
         const double ramp = equations_.ramp();
         fill();
-        const bool found = settle(ramp) || narrow(ramp);
+        const bool found = settle(ramp, 1) || narrow(ramp);
         return result(ramp, equations_.wetnessOf(heads_, ramp), found);
     }
 
@@ -93,16 +93,17 @@ class Solver {
     bool narrow(double last) {
         fill();
         double ramp = std::max(last, equations_.height());
-        bool found = settle(ramp);
+        bool found = settle(ramp, kShorter);
         while (found && ramp > last) {
             ramp = std::max(ramp / 2, last);
-            found = settle(ramp);
+            found = settle(ramp, kShorter);
         }
         return found;
     }
 
     /// Steps from the heads as they are until nothing changes. \return whether that was found
-    bool settle(double ramp) {
+    /// \param switched_by  what divides a step after which outlets opened or closed
+    bool settle(double ramp, double switched_by) {
         double step = kFirstStep;
         for (int k = 0; k < kSteps; ++k, ++iterations_) {
             equations_.hold(heads_);
@@ -115,7 +116,7 @@ class Solver {
             const auto [heads, growth] = stepped(ramp, step);
             const bool is_taken = growth < kWorse;
             if (is_taken) heads_ = heads;
-            step = is_taken && !switched ? kLonger * step : step / kShorter;
+            step = !is_taken ? step / kShorter : switched ? step / switched_by : kLonger * step;
         }
         return false;
     }

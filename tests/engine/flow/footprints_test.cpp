@@ -41,17 +41,17 @@ TEST_CASE("footprints: a thin drain is as fine as a share of its length") {
     CHECK(found[0].size == doctest::Approx(6.4 / 64));
 }
 
-TEST_CASE("footprints: a box from edge to edge ends at lines, half as fine as it is wide") {
+TEST_CASE("footprints: a box from edge to edge ends at lines, with sides of any length") {
     const auto found = footprints({3, -1, -1}, {3.8, 5, 1});
     REQUIRE(found.size() == 1);
-    CHECK(found[0].size == doctest::Approx(0.8 / 2));
+    CHECK(found[0].size == kInfinity);
 }
 
 TEST_CASE("footprints: a corner of a box on an edge of the polygon is none inside it") {
     for (const double end : {4.0, 4 + 1e-7, 4 - 1e-7}) {
         const auto found = footprints({3, 0, -1}, {3.8, end, 1});
         REQUIRE(found.size() == 1);
-        CHECK(found[0].size == doctest::Approx(0.8 / 2));
+        CHECK(found[0].size == kInfinity);
     }
 }
 
@@ -73,13 +73,41 @@ TEST_CASE("footprints: a box that touches an edge, and a part of an open end, en
     CHECK(footprints({-1, -1, -1}, {9, 5, 1}, Vec3::UnitX()).empty());
 }
 
+TEST_CASE("footprints: what a box reaches outside a polygon does not count") {
+    for (const double far : {8.1, 9.0, 1e3, kInfinity}) {
+        const auto found = footprints({7.6, 1, -1}, {far, 1.8, 1});
+        REQUIRE(found.size() == 1);
+        CHECK(found[0].size == doctest::Approx(0.4 / 8));
+    }
+}
+
 TEST_CASE("footprints: sides may be longer with the distance from the outline, and within it") {
     const Footprint drain = footprints({3, 1, -1}, {3.8, 1.4, 1}).at(0);
-    const auto most = [&](double x, double y, double side) {
-        return flow::mostSide(drain, {Vec3(x, y, 0), Vec3(x + side, y, 0), Vec3(x, y + side, 0)});
+    const auto isTooLarge = [&](double x, double y, double side) {
+        return flow::isTooLarge(drain, {Vec3(x, y, 0), Vec3(x + side, y, 0), Vec3(x, y + side, 0)});
     };
-    CHECK(most(2.9, 1.1, 0.2) == drain.size);
-    CHECK(most(3.1, 1.1, 0.1) == kInfinity);
-    CHECK(most(2.5, 0.5, 6) == drain.size);  // holds the drain
-    CHECK(most(5.8, 1.1, 0.1) == doctest::Approx(0.5 * 2));
+    CHECK(isTooLarge(2.98, 1.1, 0.04));  // the longest side is sqrt(2) of that
+    CHECK_FALSE(isTooLarge(2.98, 1.1, 0.03));
+    CHECK_FALSE(isTooLarge(3.1, 1.1, 0.1));  // inside
+    CHECK(isTooLarge(2.5, 0.5, 6));          // holds the drain
+    CHECK_FALSE(isTooLarge(5.8, 1.1, 0.7));  // 2 m beside
+    CHECK(isTooLarge(5.8, 1.1, 0.72));
+}
+
+TEST_CASE("footprints: a side crosses the outline, or lies on it") {
+    const Footprint drain = footprints({3, 1, -1}, {3.8, 1.4, 1}).at(0);
+    const auto met = flow::crossing(drain, {2, 1.2, 0}, {3.2, 1.2, 0});
+    REQUIRE(met);
+    CHECK((*met - Vec3(3, 1.2, 0)).norm() < 1e-9);
+    CHECK_FALSE(flow::crossing(drain, {2, 1.2, 0}, {3, 1.2, 0}));      // ends on it
+    CHECK_FALSE(flow::crossing(drain, {2, 2, 0}, {4, 2, 0}));          // passes beside
+    CHECK_FALSE(flow::crossing(drain, {3.1, 1.1, 0}, {3.5, 1.3, 0}));  // inside
+    CHECK(flow::crossing(drain, {2, 1, 0}, {3.5, 1, 0}));              // along it, at a corner
+    CHECK(flow::isOnOutline(drain, {3, 1.1, 0}, {3, 1.3, 0}));
+    CHECK_FALSE(flow::isOnOutline(drain, {3, 1.1, 0}, {3.1, 1.3, 0}));
+    const Footprint end = footprints({-1, 1, -1}, {9, 1.4, 1}, Vec3::UnitX()).at(0);
+    const auto corner = flow::crossing(end, {8, 0, 0}, {8, 1.2, 0});
+    REQUIRE(corner);
+    CHECK((*corner - Vec3(8, 1, 0)).norm() < 1e-5);
+    CHECK_FALSE(flow::crossing(end, {7, 0, 0}, {7, 1.2, 0}));
 }
