@@ -44,7 +44,7 @@ Model blockOnJoint(double stiffness, double tilt, double pressure_head, double f
 /// along the joint: b(x) = b0 + (b1 - b0) x / L. Then b^3 dh/dx = const has h(x) = h0 + (h1 - h0) (1 / b0^2 -
 /// 1 / b(x)^2) / (1 / b0^2 - 1 / b1^2). Its pressure takes U_0 and U_1 off the reactions of the ends, by the
 /// lever rule. Where reactions fall by D_0 and D_1, a uniform stiffness k opens the ends by (4 D_0 - 2 D_1) /
-/// k A and (4 D_1 - 2 D_0) / k A. Repeated until the apertures stay.
+/// k A and (4 D_1 - 2 D_0) / k A. Repeated until the apertures no longer change.
 struct Wedge {
     double stiffness, tilt, pressure_head;
     std::array<double, 2> aperture{kAperture, kAperture}, uplift{};
@@ -101,7 +101,7 @@ double factorOf(const Model& model) {
     return result->answer;
 }
 
-/// Of 30 blocks on soft joints, 5 m high, with 1.8 m and 0.3 m of water.
+/// A dam of 30 blocks, 5 m high, with soft joints, and water of 1.8 m and 0.3 m on its two sides.
 Model softDam() {
     Model model = gridDam(6, 5, 1, {1, 1, 1}, 1.8, 0.3);
     for (Joint& joint : model.joints) joint.normal_stiffness = joint.shear_stiffness = 1e9;
@@ -272,7 +272,7 @@ TEST_CASE("coupled flow: a history without an equilibrium to begin with is refus
     CHECK(loose.errors().front().message.find("\"above\" touches no other block") != std::string::npos);
 }
 
-TEST_CASE("coupled flow: a mesh too coarse for the opening of a joint, and a capped aperture, are said") {
+TEST_CASE("coupled flow: warnings name a mesh too coarse for the opening of a joint, and a capped aperture") {
     Model model = blockOnJoint(4e8, radians(20), 1.0);
     model.flow->refinements = 0;
     const auto coarse = safetyFactor(model, {.interval = false});

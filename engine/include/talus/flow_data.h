@@ -15,7 +15,7 @@ namespace talus {
 /// What holds at some places of the network: a head, or water that can only flow out.
 struct FlowBoundary {
     enum class Kind : std::uint8_t {
-        head,    ///< the head is given; places above that head are an outlet
+        head,    ///< the head is given; with a free surface, places above it are an outlet
         outlet,  ///< seepage face or drain: pressure zero where water flows out, no flow elsewhere
     };
     Kind kind = Kind::head;
@@ -36,8 +36,8 @@ struct Flow {
     double viscosity = 1.307e-3;  ///< dynamic; water at 10 degrees C [Pa s]
     double density = 1000;        ///< [kg/m^3]
     bool free_surface = true;     ///< false: all joints are full
-    int refinements = 0;          ///< how often each triangle of the mesh is divided into four
-    /// Apertures follow what joints open and close, equilibrium by equilibrium (coupledFlow).
+    int refinements = 0;          ///< how many times each triangle of the mesh is divided into four
+    /// Apertures follow the opening and closure of joints, equilibrium by equilibrium (coupledFlow).
     bool coupled = false;
     double residual_share = 0.1;  ///< coupled: of its stated aperture, what a joint keeps at least
     /// Coupled: change of pressure between two passes over the largest pressure; below it they agree.
@@ -49,7 +49,7 @@ struct Flow {
 
 /// How well the opening of joints and the pressure in them agree.
 struct FlowCoupling {
-    int passes = 0;             ///< largest number that one equilibrium took
+    int passes = 0;             ///< largest number that changed the pressure at one equilibrium
     int flows = 0;              ///< computed in all
     double last_change = 0;     ///< of pressure, at the equilibrium of the result, over the largest pressure
     double largest_change = 0;  ///< the same where it stayed above the tolerance, of any equilibrium

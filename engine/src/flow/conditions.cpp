@@ -14,24 +14,29 @@ class Places {
     Places(const Network& network, const Vec3& origin)
         : network_(network), origin_(origin), edges_(openEdges(network)) {}
 
-    /// Calls with each node that a boundary takes, some of them several times.
+    /// Calls with each node that a boundary takes, some of them several times. A boundary takes sides whose two
+    /// ends are in its box. A node alone is no length for water to pass through: its discharge would be the mesh's.
     template <class Use>
     void each(const FlowBoundary& boundary, const Use& use) const {
-        const auto take = [&](std::int32_t node) {
-            if (isInBox(network_.nodes[static_cast<std::size_t>(node)] + origin_, boundary.box_min,
-                        boundary.box_max, kNear * network_.size))
-                use(node);
+        const auto isIn = [&](std::int32_t node) {
+            return isInBox(network_.nodes[static_cast<std::size_t>(node)] + origin_, boundary.box_min,
+                           boundary.box_max, kNear * network_.size);
+        };
+        const auto take = [&](std::int32_t from, std::int32_t to) {
+            if (isIn(from) && isIn(to)) use(from), use(to);
         };
         if (!boundary.face) {
-            for (std::size_t t = 0; t < network_.triangles.size(); ++t)
-                if (takesJoint(boundary, network_.patch(t).joint))
-                    std::for_each_n(network_.triangles[t].begin(), 3, take);
+            for (std::size_t t = 0; t < network_.triangles.size(); ++t) {
+                if (!takesJoint(boundary, network_.patch(t).joint)) continue;
+                const auto [a, b, c] = network_.triangles[t];
+                take(a, b), take(b, c), take(c, a);
+            }
             return;
         }
         for (const OpenEdge& edge : edges_)
             if (takesJoint(boundary, network_.patch(edge.triangle).joint) &&
                 takesFace(boundary, edge.outward))
-                std::for_each_n(edge.nodes.begin(), 2, take);
+                take(edge.nodes[0], edge.nodes[1]);
     }
 
  private:

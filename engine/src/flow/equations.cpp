@@ -51,6 +51,15 @@ void Equations::openOutlets() {
     for (const Condition condition : conditions_->of) held_.push_back(condition != Condition::none ? 1 : 0);
 }
 
+void Equations::openOutlets(const Vector& heads) {
+    openOutlets();
+    const double no_pressure = kNoPressure * network_->size;
+    for (std::size_t n = 0; n < held_.size(); ++n)
+        if (conditions_->of[n] == Condition::outlet &&
+            heads[static_cast<Eigen::Index>(n)] < heldHead(n) - no_pressure)
+            held_[n] = 0;
+}
+
 double Equations::heldHead(std::size_t node) const {
     switch (conditions_->of[node]) {
         case Condition::head:

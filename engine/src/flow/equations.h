@@ -4,7 +4,7 @@
 // div(T k grad h) = 0 in the plane of each joint: T by the cubic law, k(p) the relative conductivity at the
 // pressure head p = h - z (relativeConductivity). R_i is the inflow at a node, the sum over its triangles of
 // what upstream.h gives, and
-// dR_i/dh_j = sum of dR_i/dh_j with k as it is + dR_i/dk_j dk/dp(p_j).
+// dR_i/dh_j = sum over triangles of (dR_i/dh_j at fixed k + dR_i/dk_j dk/dp(p_j)).
 
 #include <array>
 #include <vector>
@@ -49,6 +49,8 @@ class Equations {
     /// Closes outlets that would draw water in, opens closed ones under pressure. \return whether any was
     bool switchOutlets(const Vector& heads, const Vector& inflow);
     void openOutlets();
+    /// Opens those whose pressure is not below zero, closes the others.
+    void openOutlets(const Vector& heads);
 
     Wetness full() const;  ///< k = 1 everywhere
     /// \param ramp  see relativeConductivity [m]
@@ -105,9 +107,8 @@ Gradients gradientsOf(const Network& network, std::size_t triangle);
 /// number, and T_ij (h_i - h_j) = q (x_j - x_i) holds along every side (taperedTransmissivity). Such flow
 /// balances as a linear head does in a joint of one aperture, so heads at nodes are exact on any mesh. It is
 /// the exponential fitting of Scharfetter and Gummel (1969, IEEE Transactions on Electron Devices 16, 64).
-///
-/// The side opposite to an obtuse angle has c < 0. Its T is at most that of the way through the hub,
-/// (c_a + c_b) / (c_a / T_b + c_b / T_a): then no heads give a negative dissipation. Both are equal where the
+/// The side opposite to an obtuse angle has c < 0. Its T is at most that of the path through the obtuse corner,
+/// (c_a + c_b) / (c_a / T_b + c_b / T_a). Then no heads give a negative dissipation. The two are equal where the
 /// aperture changes along that side alone.
 Corners conductancesOf(const Gradients& gradients, const Corners& transmissivity);
 

@@ -8,10 +8,9 @@
 #include <utility>
 
 #include "flow/conditions.h"
-#include "flow/cubic_law.h"
 #include "flow/equations.h"
 #include "flow/meshing.h"
-#include "flow/solve.h"
+#include "flow/nested.h"
 
 namespace talus {
 namespace flow {
@@ -104,15 +103,14 @@ class Answer {
           flow_(flow),
           network_(network),
           conditions_(conditions),
-          unit_weight_(flow.density * model_.gravity.magnitude) {
-        for (const Corners& b : aperture) {
-            transmissivity_.push_back({alongSide(b[0], b[1]), alongSide(b[1], b[2]), alongSide(b[2], b[0])});
-            into_.aperture.push_back((b[0] + b[1] + b[2]) / 3);
-        }
+          aperture_(aperture),
+          unit_weight_(flow.density * model_.gravity.magnitude),
+          transmissivity_(transmissivities(aperture, flow, unit_weight_)) {
+        for (const Corners& b : aperture) into_.aperture.push_back((b[0] + b[1] + b[2]) / 3);
     }
 
     Result<SteadyFlow> solve(const Telling& telling) {
-        Heads heads = solveHeads(network_, conditions_, transmissivity_, flow_.free_surface, {}, telling);
+        Heads heads = nestedHeads(network_, conditions_, aperture_, flow_, unit_weight_, telling);
         if (!heads.found) return Error{flow_.field, faultOf(heads)};
         into_.ramp = heads.ramp;
         into_.iterations = heads.iterations;
@@ -129,10 +127,6 @@ class Answer {
     }
 
  private:
-    double alongSide(double from, double to) const {
-        return taperedTransmissivity(unit_weight_, from, to, flow_.viscosity);
-    }
-
     std::string faultOf(const Heads& heads) const {
         const std::string tried = " after " + std::to_string(heads.iterations) +
                                   " iterations; the last one left " + formatted("%.2g", heads.residual) +
@@ -265,6 +259,7 @@ class Answer {
     const Flow& flow_;
     const Network& network_;
     const Conditions& conditions_;
+    const std::vector<Corners>& aperture_;
     double unit_weight_;                   ///< of water [N/m^3]
     std::vector<Corners> transmissivity_;  ///< of each triangle, along its sides [m^2/s]
     SteadyFlow into_;

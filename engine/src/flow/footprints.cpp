@@ -10,7 +10,7 @@
 namespace talus::flow {
 namespace {
 
-// bench/studies/drain-in-a-joint.md has what half and twice these do to the discharge and to the mesh.
+// bench/studies/drain-in-a-joint.md says how halving and doubling these changes the discharge and the mesh.
 constexpr double kOfDistance = 0.5;     // longest side over the distance from the outline, at most
 constexpr double kOfWidth = 1.0 / 8;    // longest side on an outline over its width
 constexpr double kOfLength = 1.0 / 64;  // the same over its length, where that is more
@@ -60,8 +60,8 @@ class Fan {
         }
     }
 
-    /// Of a boundary of joints: of the polygon, or of edges that the box only touches. Nodes that near to a box
-    /// are in it, so that a thinner one is as wide as that.
+    /// Of a boundary without `face`: the part of the polygon in its box, or edges that the box only touches. Nodes
+    /// within `same_` of a box count as inside, so a thinner box is widened to that.
     void add(const Vec3& low, const Vec3& high, std::vector<Footprint>& to) const {
         Polygon taken = clippedToBox(outline_, plane_, low, high, same_);
         if (widthOf(taken) <= same_) {

@@ -32,7 +32,7 @@ class Grading {
     const Vec3& at(std::int32_t node) const { return network_.nodes[static_cast<std::size_t>(node)]; }
     double length(const Side& side) const { return (at(side.second) - at(side.first)).norm(); }
 
-    /// Of sides of one length, the one of later nodes: an order of all sides, so that `divide` ends.
+    /// Of sides of equal length, the one with the later nodes. This orders all sides, so that `divide` ends.
     Side longest(std::size_t t) const {
         Side most = network_.side(t, 0);
         for (const std::size_t k : {1U, 2U}) {
@@ -63,7 +63,7 @@ class Grading {
     }
 
     /// Divides a side where an outline crosses it. A flat triangle has its corners on one line, and an outline
-    /// that crosses one side there meets the next at a corner. \return whether there is one
+    /// that crosses one side there meets the next at a corner. \return whether a side was divided
     bool meetOutline(std::size_t t) {
         if (isFlat(t)) return false;
         for (const Footprint* footprint : footprints(t))

@@ -16,7 +16,7 @@
 namespace talus::flow {
 namespace {
 
-// Of the smaller block of a patch: corners of patches that are nearer to each other are one node. Faces touch
+// Of the size of a patch's smaller block: corners of patches that are closer together are one node. Faces touch
 // across gaps of kClosedGap. Where two such gaps cross, corners lie within sqrt(2) kClosedGap.
 constexpr double kSameNode = 2 * kClosedGap;  // of the smaller block of a patch
 constexpr double kRoundedNode = 1e-5;         // of the median block: at least. Outlines are rounded to 1e-9
@@ -241,13 +241,16 @@ class Fans {
 
 /// Each triangle becomes four, with new nodes at the middle of its edges.
 void refine(Network& network) {
-    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> middles;
+    std::map<Side, std::int32_t> middles;
+    std::vector<Side>& halved = network.halved.emplace_back();
     const auto middle = [&](std::int32_t a, std::int32_t b) {
         const auto [entry, is_new] =
             middles.try_emplace(std::minmax(a, b), static_cast<std::int32_t>(network.nodes.size()));
-        if (is_new)
+        if (is_new) {
+            halved.push_back(entry->first);
             network.nodes.push_back(0.5 * (network.nodes[static_cast<std::size_t>(a)] +
                                            network.nodes[static_cast<std::size_t>(b)]));
+        }
         return entry->second;
     };
     std::vector<std::array<std::int32_t, 3>> triangles;
@@ -295,8 +298,8 @@ Network networkOf(const State& state, int refinements, std::span<const FlowBound
     network.height = meanHeight(network, downward(gravity, gravity.tilt));
     const std::vector<Footprint> footprints = footprintsOf(network, boundaries, state.geometry->origin);
     const std::vector<char> divided = grade(network, footprints);
-    for (int k = 0; k < refinements; ++k) refine(network);
     makeDelaunay(network, divided, footprints);
+    for (int k = 0; k < refinements; ++k) refine(network);
     return network;
 }
 

@@ -13,7 +13,7 @@
 
 namespace talus::flow {
 
-/// \param refinements  how often each triangle is divided into four
+/// \param refinements  how many times each triangle is divided into four
 /// \param boundaries   the mesh is finer where they end inside a patch
 Network networkOf(const State& state, int refinements, std::span<const FlowBoundary> boundaries = {});
 

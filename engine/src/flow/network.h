@@ -41,7 +41,10 @@ struct Network {
     std::vector<double> same;  ///< of each patch: distance at which points are the same [m]
     std::vector<std::array<std::int32_t, 3>> triangles;  ///< counter-clockwise about their patch's normal
     std::vector<std::int32_t> patch_of;                  ///< of each triangle
-    double size = 0;                                     ///< median longest side of a patch [m]
+    /// Of each refinement, the coarsest first: the sides whose middles are its nodes, which follow all earlier
+    /// ones. Triangle t of the mesh before it became triangles 4 t to 4 t + 3 (flow/nested.h).
+    std::vector<std::vector<Side>> halved;
+    double size = 0;  ///< median longest side of a patch [m]
     /// mean extent of a patch along gravity, weighted with itself; of level patches alone their size [m]
     double height = 0;
 

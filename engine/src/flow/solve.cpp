@@ -13,16 +13,16 @@ namespace talus::flow {
 namespace {
 
 constexpr int kOutletSwitches = 300;  // of full joints: the wet part grows by about a row of nodes each time
-constexpr int kSteps = 300;           // most networks take 40; half as many suffice for all that were drawn
-constexpr double kOrders = -9;        // log10 of the imbalance at the end, for progress
-constexpr double kRounding = 1e-13;   // of the inflow: no step can lower that
+constexpr int kSteps = 300;          // most networks take 40; 150 suffice for all random ones that were tried
+constexpr double kOrders = -9;       // log10 of the imbalance at the end, for progress
+constexpr double kRounding = 1e-13;  // of the inflow: no step can lower that
 
-// Steps, as multiples of a node's storage over its conductance. bench/studies/free-surface.md has what half and
-// twice each of them does: no answer moves.
+// Steps, as multiples of a node's storage over its conductance. Halving or doubling each of them moves no answer
+// (bench/studies/free-surface.md).
 constexpr double kFirstStep = 100;
 constexpr double kLonger = 3;   // ratio, after a step that is taken
 constexpr double kShorter = 5;  // ratio, after one that is not; in `narrow`, too, where outlets were switched
-constexpr double kWorse = 4;    // imbalance over that before the step: what is not taken
+constexpr double kWorse = 4;    // imbalance after a step over that before it: such a step is not taken
 
 class Solver {
  public:
@@ -33,18 +33,18 @@ class Solver {
           equations_(network, conditions, transmissivity, surface),
           heads_(Vector::Zero(static_cast<Eigen::Index>(network.nodes.size()))) {}
 
-    Heads full() {
-        const bool switched = fill();
-        const Wetness wetness = equations_.full();
-        const Vector inflow = equations_.inflows(heads_, wetness);
-        residual_ = equations_.imbalance(inflow);
-        return result(0, wetness, !switched && equations_.isBalanced(heads_, inflow));
+    Heads full(const std::vector<double>& begin) {
+        const bool found = (beginWith(begin) && solveAndSwitch()) || fill();
+        return result(0, equations_.full(), found);
     }
 
-    Heads withFreeSurface() {
+    Heads withFreeSurface(const std::vector<double>& begin) {
         const double ramp = equations_.ramp();
-        fill();
-        const bool found = settle(ramp, 1) || narrow(ramp);
+        bool found = beginWith(begin) && settle(ramp, 1);
+        if (!found) {
+            fill();
+            found = settle(ramp, 1) || narrow(ramp);
+        }
         return result(ramp, equations_.wetnessOf(heads_, ramp), found);
     }
 
@@ -58,17 +58,34 @@ class Solver {
              std::to_string(conditions_.of.size()) + " nodes, iteration " + std::to_string(iterations_)});
     }
 
-    /// Heads of full joints. \return whether outlets still open and close
+    /// Heads above the datum, and outlets open where these have pressure. \return whether there are any
+    bool beginWith(const std::vector<double>& heads) {
+        if (heads.empty()) return false;
+        for (std::size_t n = 0; n < heads.size(); ++n)
+            heads_[static_cast<Eigen::Index>(n)] =
+                conditions_.of[n] == Condition::dry ? 0.0 : heads[n] - equations_.datum();
+        equations_.openOutlets(heads_);
+        return true;
+    }
+
+    /// Heads of full joints. \return whether they balance, and outlets ceased to open and close
     bool fill() {
         equations_.openOutlets();
         heads_.setZero();
+        return solveAndSwitch();
+    }
+
+    bool solveAndSwitch() {
         bool switched = true;
+        Vector inflow;
         for (int k = 0; switched && k < kOutletSwitches; ++k, ++iterations_) {
             tell(0);
             solveFull();
-            switched = equations_.switchOutlets(heads_, equations_.inflows(heads_, equations_.full()));
+            inflow = equations_.inflows(heads_, equations_.full());
+            switched = equations_.switchOutlets(heads_, inflow);
         }
-        return switched;
+        residual_ = equations_.imbalance(inflow);
+        return !switched && equations_.isBalanced(heads_, inflow);
     }
 
     /// The later passes take back what rounding left of the first.
@@ -81,7 +98,7 @@ class Solver {
         for (int pass = 0; pass < 3; ++pass) heads_ += cholesky_.solve(unbalanced(heads_, wetness));
     }
 
-    /// What has to be taken off the inflows of nodes that are not held.
+    /// Inflows of nodes that are not held, with the opposite sign; zero at the others.
     Vector unbalanced(const Vector& heads, const Wetness& wetness) const {
         Vector rest = -equations_.inflows(heads, wetness);
         for (Eigen::Index n = 0; n < rest.size(); ++n)
@@ -89,7 +106,7 @@ class Solver {
         return rest;
     }
 
-    /// By halves from a ramp as high as a polygon: each begins with the heads of the one before.
+    /// Halves the ramp, from the height of a polygon to the last one. Each solution starts from the heads before.
     bool narrow(double last) {
         fill();
         double ramp = std::max(last, equations_.height());
@@ -187,9 +204,9 @@ class Solver {
 
 Heads solveHeads(const Network& network, const Conditions& conditions,
                  const std::vector<Corners>& transmissivity, bool free_surface, const FreeSurface& surface,
-                 const Telling& telling) {
+                 const Telling& telling, const std::vector<double>& begin) {
     Solver solver(network, conditions, transmissivity, surface, telling);
-    return free_surface ? solver.withFreeSurface() : solver.full();
+    return free_surface ? solver.withFreeSurface(begin) : solver.full(begin);
 }
 
 }  // namespace talus::flow

@@ -1,7 +1,7 @@
 #pragma once
 // Heads in a joint network, with the free surface found by pseudo-transient steps.
 //
-//   begin:  heads of full joints
+//   begin:  heads of a coarser mesh, or of full joints
 //   step:   (dR/dh + S / dt) dh = -R, outlets opened and closed before it
 //           (pseudo-transient continuation: Kelley and Keyes 1998, SIAM J. on Numerical Analysis 35, 508)
 //   next:   dt grows; where the imbalance grew fourfold it shrinks, and the step is taken again
@@ -33,8 +33,11 @@ struct Heads {
 };
 
 /// \param transmissivity  of each triangle, along its sides 0-1, 1-2, 2-0 [m^2/s]
+/// \param begin           heads of each node that are near to the answer; empty: those of full joints. Where
+///                        they lead nowhere, these are taken, too [m]
 Heads solveHeads(const Network& network, const Conditions& conditions,
                  const std::vector<Corners>& transmissivity, bool free_surface,
-                 const FreeSurface& surface = {}, const Telling& telling = {});
+                 const FreeSurface& surface = {}, const Telling& telling = {},
+                 const std::vector<double>& begin = {});
 
 }  // namespace talus::flow
