@@ -6,10 +6,10 @@ namespace talus::equilibrium {
 namespace {
 
 constexpr int kMostReleaseSteps = 2'000;
-// A slide is given up after that many factorisations: blocks then move in many ways. Slides of small models
-// take up to some hundred.
+// A slide is given up after that many factorisations, as its blocks do not move as one body. Slides of small
+// models take a hundred at most.
 constexpr std::int64_t kMostOfSlide = 100;
-// Of the longest step: a shorter slide is no progress, either.
+// Of the longest step: a shorter slide counts as no progress, and steps in pseudo-time follow.
 constexpr double kLongSlide = 0.5;
 
 /// Steps of a release: to equilibrium, where it is near; else of a given length in the direction of the slide;
@@ -37,12 +37,11 @@ class Steps {
 }  // namespace
 
 Released release(EquilibriumPath& path, double load, const Parting& since, double leaves,
-                 std::int64_t most_factors) {
-    const std::int64_t begin = path.work().factors;
+                 const std::function<bool()>& is_given_up) {
     path.putUnder(load);
     Steps steps(path, std::min(path.rules().step_displacement, leaves / path.rules().release_looks));
     for (int k = 0; k < kMostReleaseSteps && !path.stopped(); ++k) {
-        if (path.work().factors - begin > most_factors) return Released::lost;
+        if (is_given_up && is_given_up()) return Released::lost;
         PathStep step = steps.next();
         if (!step) return Released::lost;
         path.commit(std::move(step));
@@ -52,11 +51,12 @@ Released release(EquilibriumPath& path, double load, const Parting& since, doubl
     return Released::lost;
 }
 
-Released releaseFromHeldJoints(EquilibriumPath& path, double load, const Parting& since, double leaves) {
+Released releaseFromHeldJoints(EquilibriumPath& path, double load, const Parting& since, double leaves,
+                               const std::function<bool()>& is_given_up) {
     path.putUnder(load);
     PathStep rest = path.fromHeldJoints();
     if (rest && path.partedBy(rest) <= leaves) path.commit(std::move(rest));
-    return release(path, load, since, leaves);
+    return release(path, load, since, leaves, is_given_up);
 }
 
 }  // namespace talus::equilibrium

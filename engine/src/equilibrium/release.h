@@ -3,7 +3,7 @@
 // it reaches equilibrium or fails.
 
 #include <cstdint>
-#include <limits>
+#include <functional>
 
 #include "equilibrium/equilibrium_path.h"
 
@@ -16,7 +16,8 @@ enum class Released : std::uint8_t {
 };
 
 /// The same for a load on an assembly that nothing has acted on: at first all joints hold.
-Released releaseFromHeldJoints(EquilibriumPath& path, double load, const Parting& since, double leaves);
+Released releaseFromHeldJoints(EquilibriumPath& path, double load, const Parting& since, double leaves,
+                               const std::function<bool()>& is_given_up = {});
 
 /// Drag does not affect an equilibrium, and a failing assembly fails under any drag. Equilibrium nearby is
 /// tried first. Else blocks slide as one, over a given distance, under the drag that this takes. Where blocks
@@ -24,8 +25,8 @@ Released releaseFromHeldJoints(EquilibriumPath& path, double load, const Parting
 /// \param load    held from now on
 /// \param since the moment from which parting counts
 /// \param leaves parting of neighbours that counts as failure [median block sizes]
-/// \param most_factors factorisations after which it is given up
+/// \param is_given_up called before each step: then it is lost
 Released release(EquilibriumPath& path, double load, const Parting& since, double leaves,
-                 std::int64_t most_factors = std::numeric_limits<std::int64_t>::max());
+                 const std::function<bool()>& is_given_up = {});
 
 }  // namespace talus::equilibrium

@@ -17,6 +17,9 @@ constexpr double kNoLoad = 1e-12;  // [rad], or of the weight
 // Attempts to apply the weight, each with more strength than the last.
 constexpr int kWeightAttempts = 3;
 constexpr double kPartsLess = 0.5;
+// Failure displacements. Blocks that part farther slide: the attempt is given up, and the greatest strength is
+// tried. Only in that last attempt are blocks followed until they have fallen, several hundred times as far.
+constexpr double kSlides = 5;
 
 PathResult resultOf(Released released) {
     switch (released) {
@@ -77,7 +80,7 @@ class Loader {
         const auto dry = path_.place();
         const double dry_factor = begun_.factor;
         bool stands = water();
-        const bool parts = parted_ > start_.displacements[start_.counts];
+        const bool parts = parted_ > failureDisplacement();
         stands = stands && weaken();
         if ((!stands || parts) && may_be_later && !path_.stopped()) {
             const Begun wet_begun = begun_;
@@ -97,42 +100,65 @@ class Loader {
     }
 
  private:
-    /// Brings the weight on with more strength than is wanted, so much that joints only give, and that water
-    /// can come on after it. Blocks that part as much with more strength had joints to close.
+    /// Applies the weight with more strength than the model's, enough that joints only deform elastically and that
+    /// water can be applied afterwards. Where even more strength does not halve the parting, joints had to close,
+    /// and the earlier attempt is kept.
     bool weigh() {
         const auto bare = path_.place();
+        const auto weighBare = [&](int attempt, double most) {
+            if (attempt > 0) path_.goBack(bare);
+            return weighWith(start_.factor / std::pow(path_.rules().weight_strength, attempt + 1), most);
+        };
+        weighted_.reset();
         watered_.reset();
-        std::optional<EquilibriumPath::Place> best;
-        bool bears_water = false;
-        for (int k = 0; k < kWeightAttempts; ++k) {
-            const double factor = start_.factor / std::pow(path_.rules().weight_strength, k + 1);
-            if (k > 0) path_.goBack(bare);
-            path_.vary(start_.strength.loading, factor);
-            const bool stands = bringOn(weightAxis(start_.imbalance), "weight");
-            if (path_.stopped()) return false;
-            if (!stands) {  // blocks that fall even with the most strength always fall
-                k = std::max(k, kWeightAttempts - 2);
-                continue;
-            }
-            path_.takeAsStated();
-            const double parted = parted_;
-            const auto weighted = path_.place();
-            const bool bears = !model_.hasWater() || bringOn(waterAxis(start_.imbalance), "water");
-            if (path_.stopped()) return false;
-            const bool is_better = !best || (bears && !bears_water) ||
-                                   (bears == bears_water && parted < kPartsLess * begun_.parted);
-            if (!is_better) continue;
-            best.emplace(weighted);
-            watered_.reset();
-            if (bears && model_.hasWater()) watered_.emplace(path_.place(), parted_);
-            bears_water = bears;
-            begun_.parted = parted;
-            begun_.factor = factor;
-            if (bears && parted <= start_.displacements[start_.counts]) break;
+        bool slid = false;
+        for (int k = 0; k < kWeightAttempts && !path_.stopped() && !isFirmlyWeighted(); ++k) {
+            const double most = mostParting(k);
+            if (weighBare(k, most)) continue;
+            slid = slid || parted_ > most;
+            k = std::max(k, kWeightAttempts - 2);  // blocks that fall even with the most strength always fall
         }
-        if (!best) return false;
-        path_.goBack(*best);
+        if (!weighted_ && slid && begun_.result == PathResult::lost) {
+            path_.goBack(bare);
+            weighBare(0, kInfinity);
+        }
+        if (!weighted_ || path_.stopped()) return false;
+        path_.goBack(weighted_->place);
+        weighted_.reset();
         begun_.result = PathResult::reached;
+        return true;
+    }
+
+    /// Parting at which an attempt to apply the weight is given up, as it will most likely not be the one chosen.
+    double mostParting(int attempt) const {
+        if (weighted_) return weighted_->bears_water ? kPartsLess * begun_.parted : kInfinity;
+        return attempt + 1 < kWeightAttempts ? kSlides * failureDisplacement() : kInfinity;
+    }
+
+    bool isFirmlyWeighted() const {
+        return weighted_ && weighted_->bears_water && begun_.parted <= failureDisplacement();
+    }
+    double failureDisplacement() const { return start_.displacements[start_.counts]; }
+
+    /// Weight and then water, with strengths divided by a factor; kept where that is the best attempt so far.
+    /// \param most  as in bringOn
+    /// \return whether it stands under its weight
+    bool weighWith(double factor, double most) {
+        path_.vary(start_.strength.loading, factor);
+        if (!bringOn(weightAxis(start_.imbalance), "weight", most)) return false;
+        path_.takeAsStated();
+        const double parted = parted_;
+        auto place = path_.place();
+        const bool bears = !model_.hasWater() || bringOn(waterAxis(start_.imbalance), "water");
+        if (path_.stopped()) return false;
+        const bool is_better = !weighted_ || (bears && !weighted_->bears_water) ||
+                               (bears == weighted_->bears_water && parted < kPartsLess * begun_.parted);
+        if (!is_better) return true;
+        weighted_ = Weighted{std::move(place), bears};
+        watered_.reset();
+        if (bears && model_.hasWater()) watered_.emplace(path_.place(), parted_);
+        begun_.parted = parted;
+        begun_.factor = factor;
         return true;
     }
 
@@ -162,24 +188,31 @@ class Loader {
     }
 
     /// At once, against a drag; without equilibrium it is tried again with unbreakable joints.
+    /// \param most  parting, less elastic displacement, beyond which it is given up [median block sizes]
     /// \return whether it reaches equilibrium
-    bool bringOn(const LoadAxis& axis, const char* stage) {
+    bool bringOn(const LoadAxis& axis, const char* stage, double most = kInfinity) {
         begun_.stage = stage;
         start_.report(stage);
         path_.vary(axis.loading, 0);
         const equilibrium::Parting since = path_.parting();
         const auto before = path_.place();
-        begun_.result = resultOf(equilibrium::release(path_, 1, since, path_.rules().fallen));
-        if (begun_.result != PathResult::reached && !path_.stopped()) {
+        const double fallen = path_.rules().fallen;
+        const auto isGivenUp = [&] { return settlement(since) > most; };
+        begun_.result = resultOf(equilibrium::release(path_, 1, since, fallen, isGivenUp));
+        if (begun_.result != PathResult::reached && !path_.stopped() && !isGivenUp()) {
             path_.goBack(before);
-            begun_.result =
-                resultOf(equilibrium::releaseFromHeldJoints(path_, 1, since, path_.rules().fallen));
+            begun_.result = resultOf(equilibrium::releaseFromHeldJoints(path_, 1, since, fallen, isGivenUp));
         }
         if (path_.stopped()) begun_.result = PathResult::interrupted;
+        parted_ = settlement(since);
+        return begun_.result == PathResult::reached;
+    }
+
+    /// Parting of neighbours, less elastic displacement [median block sizes].
+    double settlement(const equilibrium::Parting& since) const {
         const double gives = (path_.rules().elastic_parting * path_.elasticDisplacement()) /
                              path_.state().geometry->length_scale;
-        parted_ = path_.partedSince(since) - gives;
-        return begun_.result == PathResult::reached;
+        return path_.partedSince(since) - gives;
     }
 
     bool follow(const LoadAxis& axis, double wanted, double rise, const char* stage) {
@@ -227,6 +260,12 @@ class Loader {
     const Start& start_;
     Begun begun_{};
     double parted_ = 0;
+    /// Under the weight, with the best attempt so far.
+    struct Weighted {
+        EquilibriumPath::Place place;
+        bool bears_water;
+    };
+    std::optional<Weighted> weighted_{};
     std::optional<std::pair<EquilibriumPath::Place, double>> watered_{};  ///< the end of `weigh`, and parted_
 };
 

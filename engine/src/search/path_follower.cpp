@@ -72,7 +72,7 @@ class Follower {
         stood_ = path_.place();
     }
 
-    /// No step is shorter than the last one but for how Newton's method converges.
+    /// At least 1: a step is shorter than the last only where Newton's method converged slowly or blocks moved far.
     double longerThanLast() const { return std::max(1.0, rules_.longer_than_last); }
     double longest() const {
         // Steps end a little beside their arcs, and none may go beyond the target.
@@ -112,8 +112,8 @@ class Follower {
         return fails(path_.partedSince(since_), allowance(), highest_ + rules_.overload * cell_);
     }
 
-    /// Whether the load rises by a cell's share before neighbours slide by the failure displacement: by a
-    /// step, which may be longer than that.
+    /// Whether the load, at the rate of this step, rises by `rise_` before neighbours slide by the failure
+    /// displacement. The step itself may slide farther.
     bool risesFast(double gain, double slid) const {
         const double share = (follow_.displacements[follow_.counts] + allowance()) / slid;
         return !(gain * share < rise_);
@@ -235,7 +235,7 @@ class Follower {
 
     /// Finds equilibrium at the load that the path has. \return whether there is one within reach
     bool settle() {
-        return release(path_, path_.load(), since_, farthest() + allowance(), mostFactors()) ==
+        return release(path_, path_.load(), since_, farthest() + allowance(), is_work_done_) ==
                Released::rests;
     }
 
@@ -247,7 +247,7 @@ class Follower {
         const auto place = path_.place();
         const Parting since = since_;
         const double gives = allowance();
-        Released released = equilibrium::release(path_, load, since, farthest() + gives, mostFactors());
+        Released released = equilibrium::release(path_, load, since, farthest() + gives, is_work_done_);
         if (path_.stopped()) return PathResult::interrupted;
         const double parted = path_.partedSince(since) - gives;
         const bool is_near = released == Released::rests && parted <= follow_.displacements[follow_.counts];
@@ -267,7 +267,7 @@ class Follower {
         const bool was_known = found_.failing.has_value();
         if (const auto result = fails(path_.partedSince(since), gives, load)) return result;
         if (!was_known && found_.failing && next_ > known && released == Released::left) {  // and farther
-            released = equilibrium::release(path_, load, since, farthest() + gives, mostFactors());
+            released = equilibrium::release(path_, load, since, farthest() + gives, is_work_done_);
             if (path_.stopped()) return PathResult::interrupted;
             if (const auto result = fails(path_.partedSince(since), gives, load)) return result;
         }
@@ -363,6 +363,7 @@ class Follower {
         Parting since;
     };
     std::optional<Creep> creep_{};
+    const std::function<bool()> is_work_done_ = [this] { return mostFactors() < 0; };  ///< for releases
     Followed found_{};
 };
 

@@ -86,9 +86,14 @@ TEST_SUITE("equilibrium") {
         }
     }
 
-    TEST_CASE("a release that may take no work is lost") {
+    TEST_CASE("a release that is given up is lost, and goes no farther") {
         LoadedPath loaded(slab(20));
-        CHECK((release(loaded.path, radians(25), loaded.path.parting(), 1.0, 0) == Released::lost));
+        const Parting since = loaded.path.parting();
+        constexpr double kFar = 0.01;
+        const auto is_far = [&] { return loaded.path.partedSince(since) > kFar; };
+        CHECK((release(loaded.path, radians(25), since, 1.0, is_far) == Released::lost));
+        CHECK(loaded.path.partedSince(since) > kFar);
+        CHECK(loaded.path.partedSince(since) < 2 * kFar);
     }
 
     TEST_CASE("equal columns jam in exact geometry; they overturn where each of them does") {

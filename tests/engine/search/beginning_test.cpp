@@ -125,6 +125,22 @@ TEST_SUITE("search") {
         CHECK(std::string(begun.stage) == "weight");
     }
 
+    TEST_CASE("beginning: a block that slides at twice its strength is not followed until it has fallen") {
+        // A site at 45 degrees: 1.0 = tan(45) of the weight against 0.73, 1.46 and 2.91 = 2, 4 and 8 tan(20).
+        Model model = slope({});
+        model.gravity.direction = Vec3(1, 0, -1).normalized();
+        equilibrium::EquilibriumPath path(unloaded(model), {}, false, nullptr);
+        const LoadAxis strength = strengthAxis(model, path.rules());
+        Start start{.weakens = false, .strength = strength, .imbalance = 1e-4};
+        start.displacements = {3e-4};
+        const Begun begun = bringToStart(path, model, start);
+        REQUIRE((begun.result == PathResult::reached));
+        CHECK(begun.factor == doctest::Approx(1.0 / 8));
+        CHECK(begun.parted <= start.displacements[0]);
+        const SearchRules& rules = path.rules();
+        CHECK(static_cast<double>(path.work().steps) < 0.5 * rules.fallen / rules.step_displacement);
+    }
+
     TEST_CASE("beginning: where something changes under the weight, equilibrium is found anew") {
         const Model model = slope({10, 0, 0});
         equilibrium::EquilibriumPath path(unloaded(model), {}, false, nullptr);
