@@ -17,7 +17,7 @@ namespace {
 // Share of the larger side by which the walls of the two sides may differ below the level. Joints cut block
 // by block agree to some 1e-6; a neighbour that ends below the level differs by far more.
 constexpr double kSameSides = 0.01;
-// [deg] In a flatter joint the water surface is more than six times as wide as the opening. The volume then
+// [deg] In a flatter joint the water surface is more than 5.7 times as wide as the opening. The volume then
 // depends on small tilts of the table.
 constexpr double kLeastDip = 10;
 
@@ -59,8 +59,8 @@ std::optional<Error> openVolume(const State& state, std::size_t index) {
                                               "; allowed: a fissure with walls on both sides up to there"};
 }
 
-// Share of the squared highest frequency that bounds the time step. A step takes up to 0.85 of that bound, so
-// 0.38 more makes it unstable.
+// Share of omega_max^2, which sets the stable time step. Steps take at most 0.85 of that one, so
+// 1 / 0.85^2 - 1 = 0.38 more would make them unstable.
 constexpr double kStiff = 0.1;
 
 /// Sum of K / m over the blocks that bound a water. The level falls by a d / (b w) when one wall of area a
