@@ -290,6 +290,43 @@ TEST_CASE("coupled flow: warnings name a mesh too coarse for the opening of a jo
     CHECK(says(coupledSolved(model).warnings, "times their stated aperture in the last equilibrium"));
 }
 
+TEST_CASE("coupled flow: a search refines the mesh as far as joints taper, unless that is given") {
+    for (const double stiffness : {1.5e8, 4e8, 4e9}) {
+        CAPTURE(stiffness);
+        Model model = blockOnJoint(stiffness, radians(20), 1.0);
+        model.flow->refinements = 0;
+        const double coarse = factorOf(model);
+        model.flow->refines = true;
+        const auto found = safetyFactor(model, {.interval = false});
+        REQUIRE(found.ok());
+        CHECK_FALSE(says(found->warnings, "flow.refinements"));
+        REQUIRE(found->flow_coupling);
+        const int refinements = found->flow_coupling->refinements;
+        CHECK((refinements == 0) == (stiffness > 1e9));
+        model.flow->refines = false;
+        model.flow->refinements = refinements;
+        CHECK(found->answer == factorOf(model));
+        model.flow->refinements = 5;
+        const double exact = factorOf(model);
+        CHECK(found->answer == doctest::Approx(exact).epsilon(0.01));
+        if (refinements > 0) CHECK(std::abs(found->answer - exact) < 0.2 * std::abs(coarse - exact));
+    }
+}
+
+TEST_CASE(
+    "coupled flow: the flow of an equilibrium refines its mesh, too, and is compared with a coarser one") {
+    Model model = blockOnJoint(4e8, radians(20), 1.0);
+    model.flow->refinements = 0;
+    model.flow->refines = true;
+    const SteadyFlow found = coupledSolved(model);
+    REQUIRE(found.coupling->refinements > 0);
+    CHECK_FALSE(says(found.warnings, "flow.refinements"));
+    const auto change = meshChange(model, found);
+    REQUIRE(change.ok());
+    CHECK(change->refinements == found.coupling->refinements - 1);
+    CHECK(4 * change->triangles == found.triangles.size());
+}
+
 TEST_CASE("coupled flow: a joint that drains as it is tilted slides at its angle of friction") {
     Model model = blockOnJoint(4e8, 0, 1.2);
     model.flow->refinements = 2;

@@ -120,7 +120,8 @@ std::string namedText(const std::vector<std::string>& blocks) {
 
 Json couplingJson(const std::optional<FlowCoupling>& coupling) {
     if (!coupling) return nullptr;
-    return {{"passes", coupling->passes},
+    return {{"refinements", coupling->refinements},
+            {"passes", coupling->passes},
             {"flows", coupling->flows},
             {"last_change", number(coupling->last_change)},
             {"largest_change", number(coupling->largest_change)},
@@ -128,8 +129,10 @@ Json couplingJson(const std::optional<FlowCoupling>& coupling) {
 }
 
 std::string couplingText(const FlowCoupling& coupling) {
-    return std::to_string(coupling.flows) + " flows computed, at most " + std::to_string(coupling.passes) +
-           " at one equilibrium; the last one changed the pressure by " +
+    return std::to_string(coupling.flows) +
+           " flows computed, refinements = " + std::to_string(coupling.refinements) + "; at most " +
+           std::to_string(coupling.passes) +
+           " passes at one equilibrium; the last one changed the pressure by " +
            figure("%.1g", coupling.last_change) + " of its largest value" +
            (coupling.converged ? "" : "; not converged");
 }

@@ -37,6 +37,8 @@ struct Flow {
     double density = 1000;        ///< [kg/m^3]
     bool free_surface = true;     ///< false: all joints are full
     int refinements = 0;          ///< how many times each triangle of the mesh is divided into four
+    /// Coupled: searches and coupledFlow refine further, as far as joints taper (FlowCoupling::refinements).
+    bool refines = false;
     /// Apertures follow the opening and closure of joints, equilibrium by equilibrium (coupledFlow).
     bool coupled = false;
     double residual_share = 0.1;  ///< coupled: of its stated aperture, what a joint keeps at least
@@ -49,6 +51,7 @@ struct Flow {
 
 /// How well the opening of joints and the pressure in them agree.
 struct FlowCoupling {
+    int refinements = 0;        ///< of the mesh that was used
     int passes = 0;             ///< largest number that changed the pressure at one equilibrium
     int flows = 0;              ///< computed in all
     double last_change = 0;     ///< of pressure, at the equilibrium of the result, over the largest pressure

@@ -23,6 +23,11 @@ namespace {
 // taper, but the pressure between them is linear, and the true one is higher. Factors of safety of two blocks
 // on a wedge (guide to flow) were 1.2 and 1.7 % too large at 1.3, 0.3 and 0.4 % below 1.2.
 constexpr double kTaper = 1.2;
+
+// Triangles of a mesh that is refined without being asked to, and refinements. A search computes a hundred flows and
+// more, and one through as many triangles takes some 0.1 s with a free surface.
+constexpr std::size_t kMostRefinedTriangles = 10'000;
+constexpr int kMostRefinements = 5;
 constexpr double kPushed = 0.05;  // of a block's weight: less water does not move it
 
 /// Of all water on a block, over its weight. \pre forces are up to date
@@ -288,6 +293,20 @@ std::vector<std::string> ofCoupling(const flow_water::CoupledFlow& coupled, cons
     if (doubts.taper > kTaper) warnings.push_back(ofTaper(flow, doubts));
     if (doubts.capped > 0) warnings.push_back(ofCap(flow, doubts));
     return warnings;
+}
+
+int moreRefinements(const flow_water::CoupledFlow& coupled, const State& last) {
+    const double taper = coupled.doubtsOf(last).taper;
+    const int refinements = last.geometry->model.flow->refinements;
+    std::size_t triangles = coupled.triangles();
+    int more = 0;
+    // Each refinement halves the difference of two apertures at the corners of a triangle.
+    for (double left = taper - 1; left > kTaper - 1 && refinements + more < kMostRefinements; left /= 2) {
+        triangles *= 4;
+        if (triangles > kMostRefinedTriangles) break;
+        ++more;
+    }
+    return more;
 }
 
 std::optional<std::string> flowOfOtherTilt(const Model& model) {

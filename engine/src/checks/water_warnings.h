@@ -35,6 +35,10 @@ std::optional<std::string> pushedAway(const State& state);
 /// \param last  the last equilibrium, with its pressure
 std::vector<std::string> ofCoupling(const flow_water::CoupledFlow& coupled, const State& last);
 
+/// How many more refinements the joints' taper at an equilibrium asks for: with these that warning is not given.
+/// Fewer where the mesh would become too large.
+int moreRefinements(const flow_water::CoupledFlow& coupled, const State& last);
+
 /// For a search that varies the tilt, where the flow does not follow it.
 std::optional<std::string> flowOfOtherTilt(const Model& model);
 

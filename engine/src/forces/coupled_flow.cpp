@@ -138,7 +138,8 @@ void CoupledFlow::putIn(State& state, SteadyFlow flow) const {
 }
 
 FlowCoupling CoupledFlow::coupling(const State& state) const {
-    return {.passes = passes_,
+    return {.refinements = flow_.refinements,
+            .passes = passes_,
             .flows = flows_,
             .last_change = state.coupled_pressure.change,
             .largest_change = not_converged_,

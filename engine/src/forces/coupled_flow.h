@@ -52,6 +52,7 @@ class CoupledFlow {
     /// In the joints as open as they are. Errors: as of flow::flowThrough.
     Result<SteadyFlow> flowIn(const State& state) const;
 
+    std::size_t triangles() const { return stated_.size(); }
     FlowCoupling coupling(const State& state) const;
     /// None before apertures are taken as stated.
     ApertureDoubts doubtsOf(const State& state) const;

@@ -26,8 +26,27 @@ Result<SteadyFlow> Search::flowAtBeginning() {
     for (;;) {
         if (auto errors = build(); !errors.empty()) return errors;
         const Course course = isStopped(control_) ? Course{} : begin();
-        if (!removeFallen(course)) return flowAt(course);
+        if (removeFallen(course)) continue;
+        if (const auto finer = withFinerFlow(course)) return finer->flowAtBeginning();
+        return flowAt(course);
     }
+}
+
+std::unique_ptr<Search> Search::withFinerFlow(const Course& course) const {
+    if (!coupled_ || !model_.flow->refines || isStopped(control_)) return nullptr;
+    if (course.begun.result != PathResult::reached) return nullptr;
+    const int more = checks::moreRefinements(*coupled_, lastEquilibrium(course));
+    if (more == 0) return nullptr;
+    Model model = model_;
+    model.flow->refinements += more;
+    auto finer =
+        std::make_unique<Search>(varied_, std::make_shared<const Model>(std::move(model)), control_, rules_);
+    finer->most_factors_ = most_factors_;
+    finer->enough_ = enough_;
+    finer->result_.steps = result_.steps;
+    finer->result_.factors = result_.factors;
+    finer->result_.time = result_.time;
+    return finer;
 }
 
 void Search::nameInFlow(SteadyFlow& flow) {

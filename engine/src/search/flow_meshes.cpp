@@ -32,6 +32,8 @@ double net(const BoundaryFlow& boundary) { return boundary.inflow - boundary.out
 
 Result<MeshChange> meshChange(Model model, const SteadyFlow& flow, const Control& control) {
     int& refinements = model.flow->refinements;
+    if (flow.coupling) refinements = flow.coupling->refinements;
+    model.flow->refines = false;
     if (refinements == 0)
         if (auto error = tooLarge(*model.flow, 4 * flow.triangles.size())) return *error;
     refinements = refinements > 0 ? refinements - 1 : 1;  // a coarser mesh costs less

@@ -54,6 +54,7 @@ Result<SearchResult> Search::run() {
         const Stopwatch path;
         follow(course);
         result_.time.path += path.seconds();
+        if (const auto finer = withFinerFlow(course)) return finer->run();
         finish(course);
         const Stopwatch beside;
         addUpperBound(course);
@@ -80,7 +81,7 @@ LoadAxis Search::axisOf(const Model& model) const {
 
 std::vector<Error> Search::build() {
     const bool all = std::find(gone_.begin(), gone_.end(), 1) == gone_.end();
-    rest_ = all ? keptByCaller(model_) : std::make_shared<const Model>(withoutBlocks(model_, gone_));
+    rest_ = all ? kept_ : std::make_shared<const Model>(withoutBlocks(model_, gone_));
     Result<State> built = buildWithWetJoints(rest_, control_.threads != 1, control_);
     axis_ = axisOf(*rest_);
     strength_ = strengthAxis(*rest_, rules_);

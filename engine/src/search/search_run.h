@@ -7,8 +7,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "build/build.h"
 #include "equilibrium/equilibrium_path.h"
 #include "forces/coupled_flow.h"
 #include "search/beginning.h"
@@ -37,7 +39,15 @@ struct Course {
 class Search {
  public:
     Search(Varied varied, const Model& model, const Control& control, const SearchRules& rules)
-        : varied_(varied), model_(model), control_(control), rules_(rules), gone_(model.blocks.size(), 0) {
+        : Search(varied, keptByCaller(model), control, rules) {}
+    Search(Varied varied, std::shared_ptr<const Model> model, const Control& control,
+           const SearchRules& rules)
+        : varied_(varied),
+          kept_(std::move(model)),
+          model_(*kept_),
+          control_(control),
+          rules_(rules),
+          gone_(model_.blocks.size(), 0) {
         tellDisplacements();
     }
 
@@ -100,6 +110,9 @@ class Search {
     void finish(Course& course);
     void addDisplacements(const Followed& followed);
     void addCoupling(const Course& course);
+    /// The same search on a finer mesh of its coupled flow, where joints taper too much for this one; with the
+    /// work so far. Null where the mesh is fine enough, or may not be refined.
+    std::unique_ptr<Search> withFinerFlow(const Course& course) const;
     Result<SteadyFlow> flowAt(const Course& course);
 
     /// How it fails, and the state the search ended in.
@@ -170,7 +183,8 @@ class Search {
     };
 
     const Varied varied_;
-    const Model& model_;
+    const std::shared_ptr<const Model> kept_;
+    const Model& model_;  ///< of these
     const Control& control_;
     const SearchRules& rules_;
     std::vector<double> displacements_{};

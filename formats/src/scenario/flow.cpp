@@ -86,8 +86,10 @@ void readFlow(const ForceReader& from, Model& model) {
     table->require({"aperture"});
     readNumbers(*table, kFlowFields, flow);
     flow.free_surface = table->boolean("free_surface").value_or(true);
-    flow.refinements = static_cast<int>(table->integer("refinements", kRefinements).value_or(0));
+    const auto refinements = table->integer("refinements", kRefinements);
+    flow.refinements = static_cast<int>(refinements.value_or(0));
     readCoupling(*table, flow);
+    flow.refines = flow.coupled && !refinements;
     readJointApertures(from, *table, flow);
     readBoundaries(from, *table, flow);
     model.flow = std::move(flow);

@@ -269,7 +269,9 @@ constexpr Description kScenario[] = {
     {"flow.density", "density of the water; default 1000"},
     {"flow.free_surface",
      "whether joints are dry above a free surface, which is found (default); false: all joints are full"},
-    {"flow.refinements", "how many times each triangle of the mesh is divided into four; default 0"},
+    {"flow.refinements",
+     "how many times each triangle of the mesh is divided into four; default 0, with coupled = true as many "
+     "as joints need"},
     {"flow.coupled",
      "true: hydraulic apertures follow what joints open and close from equilibrium to equilibrium; default "
      "false"},

@@ -52,6 +52,7 @@ TEST_CASE("flow: what a scenario says of it") {
     CHECK(read.density == 1020);
     CHECK_FALSE(read.free_surface);
     CHECK(read.refinements == 2);
+    CHECK_FALSE(read.refines);
     REQUIRE(read.boundaries.size() == 3);
     CHECK(read.boundaries[0].kind == FlowBoundary::Kind::head);
     CHECK(read.boundaries[0].head == 2);
@@ -178,6 +179,11 @@ TEST_CASE("flow: whether it is coupled, and how well") {
     REQUIRE(scenario.ok());
     const Flow& read = *scenario->model.flow;
     CHECK(read.coupled);
+    CHECK(read.refines);
+    const auto given =
+        parseScenario(kBlocks + flow("aperture = 1e-4\ncoupled = true\nrefinements = 0\n"), "slope.toml");
+    REQUIRE(given.ok());
+    CHECK_FALSE(given->model.flow->refines);
     CHECK(read.residual_share == 0.2);
     CHECK(read.coupling_tolerance == 1e-4);
     CHECK(read.coupling_passes == 5);
