@@ -53,7 +53,7 @@ struct Flow {
 struct FlowCoupling {
     int refinements = 0;        ///< of the mesh that was used
     int passes = 0;             ///< largest number that changed the pressure at one equilibrium
-    int flows = 0;              ///< computed in all
+    int flows = 0;              ///< computed on that mesh
     double last_change = 0;     ///< of pressure, at the equilibrium of the result, over the largest pressure
     double largest_change = 0;  ///< the same where it stayed above the tolerance, of any equilibrium
     bool converged = false;     ///< whether every equilibrium was within the tolerance

@@ -34,7 +34,7 @@ double openCohesion(const State& state, const std::vector<std::size_t>& blocks) 
 std::optional<std::string> ofOpenCohesion(const State& state, const std::vector<std::size_t>& blocks) {
     const double share = openCohesion(state, blocks);
     if (!(share > kLeastOpenCohesion)) return std::nullopt;
-    return "joints with cohesion are open in part (" + formatted("%.2g", 100 * share) +
+    return "joints with cohesion are open in part (" + formatted("%.3g", 100 * share) +
            " % of the joint area of the blocks in question). Contact points there count their cohesion as a "
            "whole, which may be unsafe. contact.points = \"distributed\" counts the closed part of joints "
            "that neither dilate nor have tensile strength";

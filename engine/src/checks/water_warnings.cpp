@@ -28,7 +28,8 @@ constexpr double kTaper = 1.2;
 // more, and one through as many triangles takes some 0.1 s with a free surface.
 constexpr std::size_t kMostRefinedTriangles = 10'000;
 constexpr int kMostRefinements = 5;
-constexpr double kPushed = 0.05;  // of a block's weight: less water does not move it
+constexpr int kRefinementsAtOnce = 2;  // the slope fails earlier on the finer mesh, and opens its joints less
+constexpr double kPushed = 0.05;       // of a block's weight: less water does not move it
 
 /// Of all water on a block, over its weight. \pre forces are up to date
 double waterShare(const State& state, std::size_t block) {
@@ -217,7 +218,7 @@ std::optional<std::string> pushedByWater(const State& built, const std::vector<s
     }
     if (count == 0) return std::nullopt;
     return "water pushes " + std::to_string(count) + " of the blocks that fall whatever the strength, \"" +
-           wet.geometry->model.blocks[worst].name + "\" with " + formatted("%.2g", most) +
+           wet.geometry->model.blocks[worst].name + "\" with " + formatted("%.3g", most) +
            " times its weight. " + whyItPushes(wet);
 }
 
@@ -259,7 +260,7 @@ std::string ofPasses(const Flow& flow, double change) {
 std::string ofTaper(const Flow& flow, const flow_water::ApertureDoubts& doubts) {
     return flow.field + ".refinements: found " + std::to_string(flow.refinements) +
            ", at which apertures at the corners of a triangle differ by a factor of " +
-           formatted("%.2g", doubts.taper) +
+           formatted("%.3g", doubts.taper) +
            " in the last equilibrium; the pressure is linear on each triangle, and the error of the "
            "answer may be on the unsafe side; allowed without this warning: so many refinements that the "
            "factor is "
@@ -296,17 +297,16 @@ std::vector<std::string> ofCoupling(const flow_water::CoupledFlow& coupled, cons
 }
 
 int moreRefinements(const flow_water::CoupledFlow& coupled, const State& last) {
-    const double taper = coupled.doubtsOf(last).taper;
     const int refinements = last.geometry->model.flow->refinements;
     std::size_t triangles = coupled.triangles();
     int more = 0;
     // Each refinement halves the difference of two apertures at the corners of a triangle.
-    for (double left = taper - 1; left > kTaper - 1 && refinements + more < kMostRefinements; left /= 2) {
-        triangles *= 4;
-        if (triangles > kMostRefinedTriangles) break;
+    for (double left = coupled.doubtsOf(last).taper - 1; left > kTaper - 1; left /= 2) {
         ++more;
+        triangles *= 4;
+        if (triangles > kMostRefinedTriangles || refinements + more > kMostRefinements) return 0;
     }
-    return more;
+    return std::min(more, kRefinementsAtOnce);
 }
 
 std::optional<std::string> flowOfOtherTilt(const Model& model) {

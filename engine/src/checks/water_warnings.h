@@ -35,8 +35,8 @@ std::optional<std::string> pushedAway(const State& state);
 /// \param last  the last equilibrium, with its pressure
 std::vector<std::string> ofCoupling(const flow_water::CoupledFlow& coupled, const State& last);
 
-/// How many more refinements the joints' taper at an equilibrium asks for: with these that warning is not given.
-/// Fewer where the mesh would become too large.
+/// How many more refinements to try next, for that taper at an equilibrium. None where the mesh that removes the
+/// warning would be too large.
 int moreRefinements(const flow_water::CoupledFlow& coupled, const State& last);
 
 /// For a search that varies the tilt, where the flow does not follow it.

@@ -133,7 +133,7 @@ class Answer {
                                   " of the inflow unbalanced at a node; allowed: ";
         const auto [least, most] = std::ranges::minmax(into_.aperture);
         const std::string apertures = "apertures that differ less; the largest is " +
-                                      formatted("%.2g", most / least) + " times the smallest";
+                                      formatted("%.3g", most / least) + " times the smallest";
         if (!flow_.free_surface) return "found no heads that balance the flow" + tried + apertures;
         const std::string finer = "a finer network (flow.refinements), or free_surface = false";
         return "found no free surface" + tried + finer + (most > least ? "; or " + apertures : "");

@@ -343,7 +343,7 @@ class TimeHistory {
     std::string ofLostShear() const {
         const double weight = checks::freeMass(state_) * state_.geometry->model.gravity.magnitude;
         const std::string share =
-            weight > 0 ? formatted(", %.2g times the weight of all free blocks", state_.shear_lost / weight)
+            weight > 0 ? formatted(", %.3g times the weight of all free blocks", state_.shear_lost / weight)
                        : "";
         return "joints opened while they still carried shear: " + formatted("%.3g", state_.shear_lost) +
                " N, summed over the whole run" + share +

@@ -101,8 +101,8 @@ class Loader {
 
  private:
     /// Applies the weight with more strength than the model's, enough that joints only deform elastically and that
-    /// water can be applied afterwards. Where even more strength does not halve the parting, joints had to close,
-    /// and the earlier attempt is kept.
+    /// water can be applied afterwards. An attempt that parts blocks by more than kSlides is given up for the greatest
+    /// strength. Where more strength does not halve the parting, joints had to close, and the earlier attempt counts.
     bool weigh() {
         const auto bare = path_.place();
         const auto weighBare = [&](int attempt, double most) {
@@ -118,7 +118,7 @@ class Loader {
             slid = slid || parted_ > most;
             k = std::max(k, kWeightAttempts - 2);  // blocks that fall even with the most strength always fall
         }
-        if (!weighted_ && slid && begun_.result == PathResult::lost) {
+        if (!weighted_ && slid) {
             path_.goBack(bare);
             weighBare(0, kInfinity);
         }
@@ -197,7 +197,7 @@ class Loader {
         const equilibrium::Parting since = path_.parting();
         const auto before = path_.place();
         const double fallen = path_.rules().fallen;
-        const auto isGivenUp = [&] { return settlement(since) > most; };
+        const auto isGivenUp = [&] { return std::isfinite(most) && settlement(since) > most; };
         begun_.result = resultOf(equilibrium::release(path_, 1, since, fallen, isGivenUp));
         if (begun_.result != PathResult::reached && !path_.stopped() && !isGivenUp()) {
             path_.goBack(before);

@@ -39,6 +39,8 @@ std::unique_ptr<Search> Search::withFinerFlow(const Course& course) const {
     if (more == 0) return nullptr;
     Model model = model_;
     model.flow->refinements += more;
+    report("loading", 0,
+           "with a finer mesh of the flow, refinements = " + std::to_string(model.flow->refinements));
     auto finer =
         std::make_unique<Search>(varied_, std::make_shared<const Model>(std::move(model)), control_, rules_);
     finer->most_factors_ = most_factors_;
@@ -47,6 +49,31 @@ std::unique_ptr<Search> Search::withFinerFlow(const Course& course) const {
     finer->result_.factors = result_.factors;
     finer->result_.time = result_.time;
     return finer;
+}
+
+std::optional<SearchResult> Search::onFinerMesh(const Course& course) {
+    const auto finer = withFinerFlow(course);
+    if (!finer) return std::nullopt;
+    const int refinements = finer->model_.flow->refinements;
+    Result<SearchResult> found = finer->run();
+    std::string why;
+    if (!found)
+        why = found.errors().front().field + ": " + found.errors().front().message;
+    else if (found->status == SearchStatus::interrupted)
+        why = "interrupted";
+    else if (found->status == SearchStatus::undecided)
+        why = "undecided";
+    else
+        return std::move(*found);
+    if (found) {
+        result_.steps = found->steps;
+        result_.factors = found->factors;
+        result_.time = found->time;
+    }
+    result_.warnings.push_back(model_.flow->field + ".refinements: with " + std::to_string(refinements) +
+                               ", which joints ask for, there is no answer (" + why + "); this one is with " +
+                               std::to_string(model_.flow->refinements));
+    return std::nullopt;
 }
 
 void Search::nameInFlow(SteadyFlow& flow) {

@@ -54,7 +54,7 @@ Result<SearchResult> Search::run() {
         const Stopwatch path;
         follow(course);
         result_.time.path += path.seconds();
-        if (const auto finer = withFinerFlow(course)) return finer->run();
+        if (auto finer = onFinerMesh(course)) return std::move(*finer);
         finish(course);
         const Stopwatch beside;
         addUpperBound(course);

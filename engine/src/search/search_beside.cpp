@@ -209,7 +209,9 @@ Result<SearchResult> Search::answerOf(const Model& model) const {
     control.groups = 1;
     control.interval = false;
     control.upper_bound = Beside::never;
-    Search other(varied_, model, control, rules_);
+    Model on_this_mesh = model;
+    if (on_this_mesh.flow) on_this_mesh.flow->refines = false;
+    Search other(varied_, std::make_shared<const Model>(std::move(on_this_mesh)), control, rules_);
     other.most_factors_ = kLeastEffort + factors_of_answer_;
     other.enough_ = &enough;
     Result<SearchResult> result = other.run();

@@ -113,6 +113,8 @@ class Search {
     /// The same search on a finer mesh of its coupled flow, where joints taper too much for this one; with the
     /// work so far. Null where the mesh is fine enough, or may not be refined.
     std::unique_ptr<Search> withFinerFlow(const Course& course) const;
+    /// Its result, where it has an answer. Else the answer of this mesh counts, with a warning.
+    std::optional<SearchResult> onFinerMesh(const Course& course);
     Result<SteadyFlow> flowAt(const Course& course);
 
     /// How it fails, and the state the search ended in.

@@ -91,7 +91,7 @@ std::optional<std::string> ofJointsPressedIn(const State& state) {
     }
     if (most <= kPressed * size) return std::nullopt;
     return "the joints close by " + formatted("%.2g", most) + " m under the load on them, " +
-           formatted("%.2g", 100 * most / size) +
+           formatted("%.3g", 100 * most / size) +
            " % of the block size: on such soft joints columns lean and overturn whatever their friction; is "
            "normal_stiffness in Pa/m?";
 }

@@ -270,8 +270,8 @@ constexpr Description kScenario[] = {
     {"flow.free_surface",
      "whether joints are dry above a free surface, which is found (default); false: all joints are full"},
     {"flow.refinements",
-     "how many times each triangle of the mesh is divided into four; default 0, with coupled = true as many "
-     "as joints need"},
+     "how many times each triangle of the mesh is divided into four; default 0; with coupled = true searches "
+     "and talus flow refine further"},
     {"flow.coupled",
      "true: hydraulic apertures follow what joints open and close from equilibrium to equilibrium; default "
      "false"},
