@@ -54,10 +54,12 @@ void Equations::openOutlets() {
 void Equations::openOutlets(const Vector& heads) {
     openOutlets();
     const double no_pressure = kNoPressure * network_->size;
-    for (std::size_t n = 0; n < held_.size(); ++n)
+    for (std::size_t n = 0; n < held_.size(); ++n) {
         if (conditions_->of[n] == Condition::outlet &&
-            heads[static_cast<Eigen::Index>(n)] < heldHead(n) - no_pressure)
+            heads[static_cast<Eigen::Index>(n)] < heldHead(n) - no_pressure) {
             held_[n] = 0;
+        }
+    }
 }
 
 double Equations::heldHead(std::size_t node) const {

@@ -61,6 +61,7 @@ std::vector<Corners> transmissivities(const std::vector<Corners>& aperture, cons
     const auto alongSide = [&](double from, double to) {
         return taperedTransmissivity(unit_weight, from, to, flow.viscosity);
     };
+    along.reserve(aperture.size());
     for (const Corners& b : aperture)
         along.push_back({alongSide(b[0], b[1]), alongSide(b[1], b[2]), alongSide(b[2], b[0])});
     return along;

@@ -61,9 +61,10 @@ class Solver {
     /// Heads above the datum, and outlets open where these have pressure. \return whether there are any
     bool beginWith(const std::vector<double>& heads) {
         if (heads.empty()) return false;
-        for (std::size_t n = 0; n < heads.size(); ++n)
+        for (std::size_t n = 0; n < heads.size(); ++n) {
             heads_[static_cast<Eigen::Index>(n)] =
                 conditions_.of[n] == Condition::dry ? 0.0 : heads[n] - equations_.datum();
+        }
         equations_.openOutlets(heads_);
         return true;
     }

@@ -57,14 +57,15 @@ std::optional<SearchResult> Search::onFinerMesh(const Course& course) {
     const int refinements = finer->model_.flow->refinements;
     Result<SearchResult> found = finer->run();
     std::string why;
-    if (!found)
+    if (!found) {
         why = found.errors().front().field + ": " + found.errors().front().message;
-    else if (found->status == SearchStatus::interrupted)
+    } else if (found->status == SearchStatus::interrupted) {
         why = "interrupted";
-    else if (found->status == SearchStatus::undecided)
+    } else if (found->status == SearchStatus::undecided) {
         why = "undecided";
-    else
+    } else {
         return std::move(*found);
+    }
     if (found) {
         result_.steps = found->steps;
         result_.factors = found->factors;
