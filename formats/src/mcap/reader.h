@@ -53,7 +53,6 @@ class Reader {
 
     bool finished() const { return finished_; }  ///< with a sound end and summary
     std::uint64_t size() const { return source_.size(); }
-    std::uint64_t wholeSize() const { return whole_size_; }  ///< up to the end of the last whole record
     /// Faults of the file, in words; empty when it is sound.
     const std::vector<std::string>& faults() const { return faults_; }
 
@@ -90,8 +89,8 @@ class Reader {
     std::map<std::string, Metadata> metadata_;
     std::vector<std::string> faults_;
     bool finished_ = false;
-    std::uint64_t whole_size_ = 0;
-    std::uint64_t unpacked_ = 0;  ///< by the scan so far [bytes]
+    std::uint64_t whole_size_ = 0;  ///< up to the end of the last whole record
+    std::uint64_t unpacked_ = 0;    ///< by the scan so far [bytes]
     std::optional<std::size_t> loaded_;
     Bytes chunk_;
 };
