@@ -302,11 +302,11 @@ int moreRefinements(const flow_water::CoupledFlow& coupled, const State& last) {
     int more = 0;
     // Each refinement halves the difference of two apertures at the corners of a triangle.
     for (double left = coupled.doubtsOf(last).taper - 1; left > kTaper - 1; left /= 2) {
-        ++more;
         triangles *= 4;
-        if (triangles > kMostRefinedTriangles || refinements + more > kMostRefinements) return 0;
+        if (triangles > kMostRefinedTriangles || refinements + more == kMostRefinements) break;
+        if (++more == kRefinementsAtOnce) break;
     }
-    return std::min(more, kRefinementsAtOnce);
+    return more;
 }
 
 std::optional<std::string> flowOfOtherTilt(const Model& model) {

@@ -35,8 +35,7 @@ std::optional<std::string> pushedAway(const State& state);
 /// \param last  the last equilibrium, with its pressure
 std::vector<std::string> ofCoupling(const flow_water::CoupledFlow& coupled, const State& last);
 
-/// How many more refinements to try next, for that taper at an equilibrium. None where the mesh that removes the
-/// warning would be too large.
+/// How many more refinements to try next, for that taper at an equilibrium. None where the mesh would be too large.
 int moreRefinements(const flow_water::CoupledFlow& coupled, const State& last);
 
 /// For a search that varies the tilt, where the flow does not follow it.
